@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstdint>
+
+namespace aolib {
+
+/// How the weight of an occluder falls with its distance L: `w(L) = 1 - rho(L)`, thesis eq. 3.2.
+enum class Falloff : std::uint8_t {
+    Step, ///< w = 1 for L < radius, else 0
+    Exp,  ///< w = e^(-L / radius), thesis eq. 3.3 with tau = 1 / radius
+    None, ///< w = 1 at every distance
+};
+
+/// Which strategy computes the ambient occlusion.
+enum class Backbone : std::uint8_t {
+    Cubemapped,  ///< computed once per cube map, kept, projected onto every later frame
+    ScreenSpace, ///< the same estimator on the host's own view, every frame, nothing kept
+};
+
+/// How visibility is estimated from captured geometry.
+enum class Estimator : std::uint8_t {
+    HorizonSplit, ///< thesis 4.3.1: the highest horizon over a number of directions
+};
+
+/// What `aoDrawEnd()` shows in place of the host's picture. `None` is the normal composite.
+enum class DebugView : std::uint8_t {
+    None,
+    AmbientOcclusion, ///< W in grey, background white
+    Quality,          ///< quality factor of the chosen cube map: green good, red poor
+    Faces,            ///< which cube face shades a pixel, one colour each, borders dark
+    Coverage,         ///< the picture with unshaded pixels in red
+    Edges,            ///< edges that the blur does not cross, in green
+    Positions,        ///< world positions as colours, repeating once per radius
+    Normals,          ///< world normals as colours, n * 0.5 + 0.5
+};
+
+/// Settings of `Estimator::HorizonSplit`.
+struct HorizonSplitOptions {
+    int directions = 16;   ///< slices about the normal, count, 1 to 128
+    int steps = 16;        ///< samples per direction, count, 1 to 256
+    float stepSize = 0.0F; ///< world units between samples; 0 derives radius / steps
+};
+
+/// Settings of `Backbone::Cubemapped`.
+struct CubeMapOptions {
+    int faceSize = 512;        ///< texels along a face's edge, 16 to 4096
+    int nearest = 10;          ///< cube maps projected per frame, nearest to the camera, 1 to 64
+    bool place = true;         ///< place new cube maps at the camera where coverage falls short
+    float coverage = 0.75F;    ///< share of shaded pixels below which one is placed, 0 to 1
+    bool outlines = false;     ///< draw a small wire cube where each cube map stands
+};
+
+/// The edge-aware blur of the projected ambient occlusion.
+struct BlurOptions {
+    bool enabled = true;
+    int size = 7; ///< pixels along the filter's edge, odd, 1 to 15
+};
+
+/// Everything a host may set. An aggregate: take the defaults and change what matters.
+struct Options {
+    Backbone backbone = Backbone::Cubemapped;
+    Estimator estimator = Estimator::HorizonSplit;
+    float radius = 0.0F; ///< world units; 0 derives 10% of the diagonal of the scene's bounding box
+    Falloff falloff = Falloff::Step;
+    float contrast = 1.0F; ///< alpha of thesis eq. 4.11, i = i_s ((1 - a) + a W); 0 to 1
+    HorizonSplitOptions horizonSplit;
+    CubeMapOptions cubeMaps;
+    BlurOptions blur;
+    DebugView debugView = DebugView::None;
+};
+
+} // namespace aolib

@@ -1,0 +1,131 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include <aolib/Export.h>
+#include <aolib/Options.h>
+#include <aolib/ProcAddressLoader.h>
+#include <aolib/Scene.h>
+#include <aolib/Statistics.h>
+#include <aolib/Status.h>
+
+namespace aolib {
+
+/// Ambient occlusion for an OpenGL renderer: describe the scene once, wrap each frame.
+///
+/// Every call reports a Status and never throws, prints or aborts; a failed call leaves the scene,
+/// the cube maps and the host's GL state as they were. Calls that need OpenGL say "Context": they
+/// must run with the context current that was current at create(). One thread at a time.
+class AOLIB_EXPORT AmbientOcclusion {
+  public:
+    /// Called with each failure, after it was kept as lastStatus().
+    using MessageSink = std::function<void(const Status&)>;
+
+    /// Makes an instance for the current context: OpenGL 3.3 or newer, core or compatibility.
+    /// @param loader  gives the address of a GL function, as eglGetProcAddress does.
+    /// Errors: NoContext, MissingCapability, InvalidOption, ShaderError. Context. Since 0.1.
+    static Result<AmbientOcclusion> create(const ProcAddressLoader& loader,
+                                           const Options& options = {});
+
+    AmbientOcclusion(AmbientOcclusion&&) noexcept;
+    AmbientOcclusion& operator=(AmbientOcclusion&&) noexcept;
+    /// Deletes every GL object. Context.
+    ~AmbientOcclusion();
+
+    // ---- Options ---------------------------------------------------------------------------
+
+    const Options& options() const;
+    /// Takes effect at the next frame; what the change touches is rebuilt, the scene is kept.
+    /// A new `backbone` exchanges the strategy. Errors: InvalidOption (nothing changes). Since 0.1.
+    Status setOptions(const Options& options);
+
+    // ---- Scene definition, one vertex at a time (thesis 4.7.1) -----------------------------
+
+    /// Starts a mesh. Errors: InvalidCallOrder inside another mesh.
+    Status meshBegin();
+    /// Sets the normal of the vertices that follow. Before the first vertex or not at all.
+    /// Errors: InvalidCallOrder, InvalidNormal.
+    Status aoNormal3f(float x, float y, float z);
+    /// Adds a vertex, world units. Errors: InvalidCallOrder, InvalidPosition.
+    Status aoVertex3f(float x, float y, float z);
+    /// Starts a run of indices. Errors: InvalidCallOrder, InvalidPrimitive.
+    Status aoBegin(AoPrimitive primitive);
+    /// Adds an index of a vertex given before. Errors: InvalidCallOrder, InvalidIndex.
+    Status aoVertexIndex(std::uint32_t index);
+    /// Ends the run. Errors: InvalidCallOrder, IncompletePrimitive.
+    Status aoEnd();
+    /// Ends the mesh and adds it to the scene. A mesh that met invalid data is dropped as a whole
+    /// and that error is returned again. Errors: InvalidCallOrder, EmptyMesh, and the data's own.
+    Result<MeshId> meshEnd();
+
+    // ---- Scene definition in bulk ----------------------------------------------------------
+
+    /// Adds a mesh. Errors: InvalidPosition, InvalidNormal, InvalidIndex, IncompletePrimitive,
+    /// EmptyMesh. Since 0.1.
+    Result<MeshId> addMesh(const MeshData& mesh);
+    /// Replaces a mesh's content and transform under the same id. Errors: as addMesh, UnknownMesh.
+    Status replaceMesh(MeshId id, const MeshData& mesh);
+    /// Gives a mesh another transform. Errors: UnknownMesh, InvalidPosition.
+    Status moveMesh(MeshId id, const glm::mat4& transform);
+    /// Takes a mesh out of the scene. Errors: UnknownMesh.
+    Status removeMesh(MeshId id);
+
+    // ---- Cube maps -------------------------------------------------------------------------
+
+    /// Places a cube map; its ambient occlusion is computed before this call returns.
+    /// @param position  world units; moved to free space if it lies on a surface.
+    /// Errors: InvalidCallOrder (the backbone keeps no cube maps), InvalidPosition, NoScene,
+    /// MissingCapability, OutOfMemory. Context. Thesis 4.2.1. Since 0.1.
+    Result<CubeMapId> addCubeMap(const glm::vec3& position);
+    /// Errors: UnknownCubeMap. Context.
+    Status removeCubeMap(CubeMapId id);
+    /// Removes all cube maps; the scene stays. Context.
+    Status clear();
+    /// The cube maps that exist, oldest first.
+    std::vector<CubeMapInfo> cubeMaps() const;
+
+    // ---- Frame (thesis 4.7.2) --------------------------------------------------------------
+
+    /// Gives the camera of the frames to come: world to eye, eye to clip, column-major, column
+    /// vectors. Errors: InvalidCamera.
+    Status aoSetCamera(const glm::mat4& view, const glm::mat4& projection);
+    /// Starts a frame. The host then draws as ever, to its own framebuffer.
+    /// Errors: InvalidCallOrder. Context.
+    Status aoDrawBegin();
+    /// Ends the frame: reads the depth that the host drew, and darkens its colours by the ambient
+    /// occlusion of the scene. Framebuffer and viewport are those current at this call.
+    /// @param x,y,z  world position of the camera.
+    /// Without aoSetCamera() in a compatibility context the matrices are read from GL, if one of
+    /// those at aoDrawBegin() and aoDrawEnd() belongs to this position.
+    /// Errors: InvalidCallOrder, NoCamera, InvalidCamera, InvalidFramebuffer, OutOfMemory,
+    /// MissingCapability. Context.
+    Status aoDrawEnd(float x, float y, float z);
+
+    // ---- Results ---------------------------------------------------------------------------
+
+    /// What the latest frame did and cost.
+    Statistics statistics() const;
+    /// Reads back the latest frame's ambient occlusion; waits for the GPU.
+    /// Errors: InvalidCallOrder before the first frame. Context.
+    Result<VisibilityImage> readVisibility();
+    /// Reads back a cube map; waits for the GPU. Errors: UnknownCubeMap. Context.
+    Result<CubeMapImage> readCubeMap(CubeMapId id);
+
+    /// The latest failure, or Ok if there was none. Successful calls do not reset it.
+    const Status& lastStatus() const;
+    /// Receives every failure from now on; empty for none.
+    void setMessageSink(MessageSink sink);
+
+  private:
+    struct Impl;
+    explicit AmbientOcclusion(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> impl_;
+};
+
+} // namespace aolib

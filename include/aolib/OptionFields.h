@@ -1,0 +1,73 @@
+#pragma once
+
+#include <array>
+#include <limits>
+#include <string_view>
+
+#include <aolib/Options.h>
+
+namespace aolib {
+
+/// The closed range of a number option.
+struct OptionRange {
+    double min;
+    double max;
+};
+
+/// One choice of an enumeration option, as tools spell it.
+template <typename E>
+struct OptionChoice {
+    E value;
+    std::string_view name;
+};
+
+inline constexpr std::array kBackboneChoices{
+    OptionChoice<Backbone>{Backbone::Cubemapped, "cubemapped"},
+    OptionChoice<Backbone>{Backbone::ScreenSpace, "screenspace"}};
+inline constexpr std::array kEstimatorChoices{
+    OptionChoice<Estimator>{Estimator::HorizonSplit, "horizon-split"}};
+inline constexpr std::array kFalloffChoices{OptionChoice<Falloff>{Falloff::Step, "step"},
+                                            OptionChoice<Falloff>{Falloff::Exp, "exp"},
+                                            OptionChoice<Falloff>{Falloff::None, "none"}};
+inline constexpr std::array kDebugViewChoices{
+    OptionChoice<DebugView>{DebugView::None, "none"},
+    OptionChoice<DebugView>{DebugView::AmbientOcclusion, "ao"},
+    OptionChoice<DebugView>{DebugView::Quality, "quality"},
+    OptionChoice<DebugView>{DebugView::Faces, "faces"},
+    OptionChoice<DebugView>{DebugView::Coverage, "coverage"},
+    OptionChoice<DebugView>{DebugView::Edges, "edges"},
+    OptionChoice<DebugView>{DebugView::Positions, "positions"},
+    OptionChoice<DebugView>{DebugView::Normals, "normals"}};
+
+/// Visits every option once, in the order of a help text: the one list from which checks, command
+/// lines and sliders are made. The visitor takes
+///   (name, number&, OptionRange, help)   for int and float,
+///   (name, bool&, help)                  for switches,
+///   (name, enum&, array of choices, help) for enumerations.
+template <typename OptionsType, typename Visitor>
+void visitOptions(OptionsType& o, Visitor&& visit) {
+    constexpr double kMaxFloat = std::numeric_limits<float>::max();
+    visit("backbone", o.backbone, kBackboneChoices, "strategy that computes the occlusion");
+    visit("estimator", o.estimator, kEstimatorChoices, "how visibility is estimated");
+    visit("radius", o.radius, OptionRange{0.0, kMaxFloat},
+          "reach of occluders, world units; 0 = 10% of the scene's diagonal");
+    visit("falloff", o.falloff, kFalloffChoices, "weight of an occluder over its distance");
+    visit("contrast", o.contrast, OptionRange{0.0, 1.0}, "strength of the darkening");
+    visit("directions", o.horizonSplit.directions, OptionRange{1, 128},
+          "horizon-split: directions about the normal");
+    visit("steps", o.horizonSplit.steps, OptionRange{1, 256},
+          "horizon-split: samples per direction");
+    visit("step-size", o.horizonSplit.stepSize, OptionRange{0.0, kMaxFloat},
+          "horizon-split: world units between samples; 0 = radius / steps");
+    visit("face-size", o.cubeMaps.faceSize, OptionRange{16, 4096}, "cube map: texels per face edge");
+    visit("nearest", o.cubeMaps.nearest, OptionRange{1, 64}, "cube maps projected per frame");
+    visit("place", o.cubeMaps.place, "place cube maps where coverage falls short");
+    visit("coverage", o.cubeMaps.coverage, OptionRange{0.0, 1.0},
+          "share of shaded pixels below which a cube map is placed");
+    visit("outlines", o.cubeMaps.outlines, "draw a wire cube where each cube map stands");
+    visit("blur", o.blur.enabled, "edge-aware blur");
+    visit("blur-size", o.blur.size, OptionRange{1, 15}, "edge length of the blur, pixels, odd");
+    visit("debug-view", o.debugView, kDebugViewChoices, "picture shown instead of the composite");
+}
+
+} // namespace aolib

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include <aolib/Scene.h>
+
+namespace aolib {
+
+/// One cube map as it stands.
+struct CubeMapInfo {
+    CubeMapId id{};
+    glm::vec3 position{};   ///< world units
+    int faceSize = 0;       ///< texels along a face's edge
+    int facesModelled = 0;  ///< faces that hold geometry; the others cost no capture and no AO
+    std::size_t bytes = 0;  ///< GPU memory kept
+    double buildMs = 0.0;   ///< CPU time from the start of its build until GL took the last command
+    double buildGpuMs = -1; ///< GPU time of the last build; -1 until the timer query has answered
+};
+
+/// What the latest frame did and cost.
+struct Statistics {
+    std::uint64_t frame = 0;        ///< frames ended so far
+    float coverage = -1.0F;         ///< share of geometry pixels that are shaded; -1 until known
+    std::uint64_t coverageFrame = 0; ///< the frame that `coverage` was counted in
+    int cubeMapsProjected = 0;      ///< in the latest frame
+    int cubeMapsBuilt = 0;          ///< in the latest frame, placed or rebuilt
+    double frameGpuMs = -1.0;       ///< GPU time of aolib's passes in an earlier frame; -1 until known
+    std::size_t bytesKept = 0;      ///< GPU memory of all cube maps
+    std::size_t bytesFrame = 0;     ///< GPU memory of the per-frame targets
+    std::size_t bytesCapture = 0;   ///< GPU memory of the capture target while a cube map is built
+    std::size_t bytesScene = 0;     ///< GPU memory of the scene's triangles
+};
+
+/// Ambient occlusion of the latest frame, as it was blended: row 0 is the bottom row.
+struct VisibilityImage {
+    int width = 0;
+    int height = 0;
+    std::vector<float> visibility; ///< width * height values, W in [0,1]; background -1
+};
+
+/// What a cube map holds: six faces side by side, +X -X +Y -Y +Z -Z, row 0 at the bottom.
+struct CubeMapImage {
+    int faceSize = 0;
+    glm::vec3 position{};
+    std::vector<float> visibility; ///< 6 * faceSize * faceSize values, W in [0,1]
+    std::vector<float> distance;   ///< along the texel's ray, world units; -1 where nothing was hit
+};
+
+} // namespace aolib

@@ -1,0 +1,10 @@
+#pragma once
+
+/// Everything a host needs: `#include <aolib/aolib.h>`.
+#include <aolib/AmbientOcclusion.h>
+#include <aolib/OptionFields.h>
+#include <aolib/Options.h>
+#include <aolib/ProcAddressLoader.h>
+#include <aolib/Scene.h>
+#include <aolib/Statistics.h>
+#include <aolib/Status.h>

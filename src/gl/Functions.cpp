@@ -1,0 +1,102 @@
+#include "gl/Functions.h"
+
+#include <cstring>
+#include <set>
+#include <string>
+
+namespace aolib::gl {
+
+namespace {
+
+template <typename Function>
+void loadFunction(const ProcAddressLoader& loader, const char* name, Function& function) {
+    void* address = loader(name);
+    static_assert(sizeof(address) == sizeof(function));
+    std::memcpy(&function, &address, sizeof(function));
+}
+
+std::set<std::string> extensionsOf(const Functions& gl) {
+    GLint count = 0;
+    gl.GetIntegerv(GL_NUM_EXTENSIONS, &count);
+    std::set<std::string> extensions;
+    for (GLint i = 0; i < count; ++i) {
+        const GLubyte* name = gl.GetStringi(GL_EXTENSIONS, static_cast<GLuint>(i));
+        if (name != nullptr) {
+            extensions.insert(reinterpret_cast<const char*>(name));
+        }
+    }
+    return extensions;
+}
+
+int integer(const Functions& gl, GLenum name) {
+    GLint value = 0;
+    gl.GetIntegerv(name, &value);
+    return value;
+}
+
+Functions::Capabilities capabilitiesOf(const Functions& gl, int version) {
+    const std::set<std::string> extensions = extensionsOf(gl);
+    const auto has = [&](int since, const char* extension, auto... functions) {
+        return (version >= since || extensions.count(extension) != 0) &&
+               ((functions != nullptr) && ...);
+    };
+    Functions::Capabilities can;
+    can.version = version;
+    can.compatibility =
+        (integer(gl, GL_CONTEXT_PROFILE_MASK) & GL_CONTEXT_COMPATIBILITY_PROFILE_BIT) != 0 ||
+        (integer(gl, GL_CONTEXT_PROFILE_MASK) == 0 && extensions.count("GL_ARB_compatibility") != 0);
+    can.clipControl = has(45, "GL_ARB_clip_control", gl.ClipControl);
+    can.indexedBlend = has(40, "GL_ARB_draw_buffers_blend", gl.BlendFuncSeparatei,
+                           gl.BlendEquationSeparatei);
+    can.viewportArray = has(41, "GL_ARB_viewport_array", gl.ViewportIndexedfv, gl.GetFloati_v,
+                            gl.DepthRangeIndexed, gl.GetDoublei_v);
+    can.pauseFeedback = has(40, "GL_ARB_transform_feedback2", gl.PauseTransformFeedback,
+                            gl.ResumeTransformFeedback);
+    can.sampleShading = has(40, "GL_ARB_sample_shading", gl.MinSampleShading);
+    can.fixedIndexRestart = has(43, "GL_ARB_ES3_compatibility");
+    can.debug = has(43, "GL_KHR_debug", gl.ObjectLabel, gl.PushDebugGroup, gl.PopDebugGroup);
+    can.maxTextureSize = integer(gl, GL_MAX_TEXTURE_SIZE);
+    can.maxTextureUnits = integer(gl, GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS);
+    can.maxDrawBuffers = integer(gl, GL_MAX_DRAW_BUFFERS);
+    can.maxViewports = can.viewportArray ? integer(gl, GL_MAX_VIEWPORTS) : 1;
+    can.maxClipDistances = integer(gl, GL_MAX_CLIP_DISTANCES);
+    return can;
+}
+
+} // namespace
+
+Result<Functions> Functions::load(const ProcAddressLoader& loader) {
+    if (!loader) {
+        return Status(StatusCode::NoContext, "the loader is empty");
+    }
+    Functions gl;
+    std::string missing;
+#define AOLIB_GL_LOAD_REQUIRED(type, name)                                                         \
+    loadFunction(loader, "gl" #name, gl.name);                                                     \
+    if (gl.name == nullptr) {                                                                      \
+        missing += " gl" #name;                                                                    \
+    }
+    AOLIB_GL_REQUIRED(AOLIB_GL_LOAD_REQUIRED)
+#undef AOLIB_GL_LOAD_REQUIRED
+#define AOLIB_GL_LOAD(type, name) loadFunction(loader, "gl" #name, gl.name);
+    AOLIB_GL_OPTIONAL(AOLIB_GL_LOAD)
+#undef AOLIB_GL_LOAD
+    if (gl.GetString == nullptr || gl.GetIntegerv == nullptr ||
+        gl.GetString(GL_VERSION) == nullptr) {
+        return Status(StatusCode::NoContext,
+                      "no OpenGL context is current, or the loader does not belong to it");
+    }
+    const int version = integer(gl, GL_MAJOR_VERSION) * 10 + integer(gl, GL_MINOR_VERSION);
+    if (version < 33) {
+        return Status(StatusCode::MissingCapability,
+                      std::string("OpenGL 3.3 is needed, this context is ") +
+                          reinterpret_cast<const char*>(gl.GetString(GL_VERSION)));
+    }
+    if (!missing.empty()) {
+        return Status(StatusCode::MissingCapability, "the loader does not know" + missing);
+    }
+    gl.capabilities = capabilitiesOf(gl, version);
+    return gl;
+}
+
+} // namespace aolib::gl

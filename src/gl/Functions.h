@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+
+#include <GL/glcorearb.h>
+
+#include <aolib/ProcAddressLoader.h>
+#include <aolib/Status.h>
+
+#include "gl/FunctionList.h"
+
+namespace aolib::gl {
+
+// Compatibility-profile functions, which the core header does not declare.
+using PixelTransferFunction = void(APIENTRY*)(GLenum, GLfloat);
+
+/// The GL functions of one context, one table per instance, and what that context can do.
+struct Functions {
+#define AOLIB_GL_MEMBER(type, name) type name = nullptr;
+    AOLIB_GL_REQUIRED(AOLIB_GL_MEMBER)
+    AOLIB_GL_OPTIONAL(AOLIB_GL_MEMBER)
+#undef AOLIB_GL_MEMBER
+
+    struct Capabilities {
+        int version = 0;             ///< major * 10 + minor
+        bool compatibility = false;  ///< the fixed-function pipeline exists
+        bool clipControl = false;    ///< GL 4.5 or ARB_clip_control
+        bool indexedBlend = false;   ///< GL 4.0 or ARB_draw_buffers_blend: blend functions per buffer
+        bool viewportArray = false;  ///< GL 4.1 or ARB_viewport_array
+        bool pauseFeedback = false;  ///< GL 4.0 or ARB_transform_feedback2
+        bool sampleShading = false;  ///< GL 4.0 or ARB_sample_shading
+        bool fixedIndexRestart = false; ///< GL 4.3 or ARB_ES3_compatibility
+        bool debug = false;          ///< GL 4.3 or KHR_debug
+        int maxTextureSize = 0;
+        int maxTextureUnits = 0;     ///< of all stages together
+        int maxDrawBuffers = 0;
+        int maxViewports = 1;
+        int maxClipDistances = 0;
+    } capabilities;
+
+    /// Fills the table for the current context.
+    /// Errors: NoContext, MissingCapability (older than 3.3, or a function is missing by name).
+    static Result<Functions> load(const ProcAddressLoader& loader);
+};
+
+} // namespace aolib::gl

@@ -1,0 +1,49 @@
+#include "gl/GpuTimer.h"
+
+namespace aolib::gl {
+
+Result<GpuTimer> GpuTimer::create(const Functions& gl) {
+    GpuTimer timer;
+    timer.gl_ = &gl;
+    for (Query& query : timer.queries_) {
+        query = generate<Query>(gl, &Functions::GenQueries);
+        if (!query) {
+            return Status(StatusCode::OutOfMemory, "GL gave no query name for a timer");
+        }
+    }
+    return timer;
+}
+
+void GpuTimer::begin() {
+    milliseconds();
+    if (state_ == State::Idle) {
+        gl_->QueryCounter(queries_[0].name(), GL_TIMESTAMP);
+        state_ = State::Running;
+    }
+}
+
+void GpuTimer::end() {
+    if (state_ == State::Running) {
+        gl_->QueryCounter(queries_[1].name(), GL_TIMESTAMP);
+        state_ = State::Pending;
+    }
+}
+
+double GpuTimer::milliseconds() {
+    if (state_ != State::Pending) {
+        return milliseconds_;
+    }
+    GLint available = GL_FALSE;
+    gl_->GetQueryObjectiv(queries_[1].name(), GL_QUERY_RESULT_AVAILABLE, &available);
+    if (available == GL_TRUE) {
+        GLuint64 start = 0;
+        GLuint64 stop = 0;
+        gl_->GetQueryObjectui64v(queries_[0].name(), GL_QUERY_RESULT, &start);
+        gl_->GetQueryObjectui64v(queries_[1].name(), GL_QUERY_RESULT, &stop);
+        milliseconds_ = static_cast<double>(stop - start) * 1e-6;
+        state_ = State::Idle;
+    }
+    return milliseconds_;
+}
+
+} // namespace aolib::gl

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <array>
+
+#include <aolib/Status.h>
+
+#include "gl/Handle.h"
+
+namespace aolib::gl {
+
+/// Measures the GPU time between begin() and end() by two timestamps, which disturb no query that
+/// the host has running. The answer comes frames later and is never waited for.
+class GpuTimer {
+  public:
+    GpuTimer() = default;
+    static Result<GpuTimer> create(const Functions& gl);
+
+    /// Starts a measurement unless the last one is still on its way.
+    void begin();
+    void end();
+    /// The latest finished measurement, milliseconds; -1 before the first.
+    double milliseconds();
+
+  private:
+    enum class State { Idle, Running, Pending };
+
+    const Functions* gl_ = nullptr;
+    std::array<Query, 2> queries_;
+    State state_ = State::Idle;
+    double milliseconds_ = -1.0;
+};
+
+} // namespace aolib::gl

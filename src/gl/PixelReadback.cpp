@@ -1,0 +1,67 @@
+#include "gl/PixelReadback.h"
+
+#include <utility>
+
+namespace aolib::gl {
+
+PixelReadback::PixelReadback(PixelReadback&& other) noexcept
+    : gl_(other.gl_), buffer_(std::move(other.buffer_)),
+      fence_(std::exchange(other.fence_, nullptr)) {}
+
+PixelReadback& PixelReadback::operator=(PixelReadback&& other) noexcept {
+    std::swap(gl_, other.gl_);
+    std::swap(buffer_, other.buffer_);
+    std::swap(fence_, other.fence_);
+    return *this;
+}
+
+PixelReadback::~PixelReadback() { cancel(); }
+
+Result<PixelReadback> PixelReadback::create(const Functions& gl, std::size_t bytes,
+                                            const std::string& label) {
+    Result<Buffer> buffer =
+        Buffer::create(gl, GL_PIXEL_PACK_BUFFER, bytes, nullptr, GL_STREAM_READ, label);
+    gl.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+    if (!buffer) {
+        return buffer.status();
+    }
+    PixelReadback readback;
+    readback.gl_ = &gl;
+    readback.buffer_ = std::move(*buffer);
+    return readback;
+}
+
+void PixelReadback::start(int width, int height, GLenum format, GLenum type) {
+    gl_->BindBuffer(GL_PIXEL_PACK_BUFFER, buffer_.name());
+    gl_->ReadPixels(0, 0, width, height, format, type, nullptr);
+    gl_->BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+    fence_ = gl_->FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+}
+
+bool PixelReadback::poll(const std::function<void(std::span<const std::uint8_t>)>& take) {
+    if (fence_ == nullptr) {
+        return false;
+    }
+    const GLenum state = gl_->ClientWaitSync(fence_, GL_SYNC_FLUSH_COMMANDS_BIT, 0);
+    if (state != GL_ALREADY_SIGNALED && state != GL_CONDITION_SATISFIED) {
+        return false;
+    }
+    cancel();
+    gl_->BindBuffer(GL_PIXEL_PACK_BUFFER, buffer_.name());
+    const void* pixels = gl_->MapBufferRange(
+        GL_PIXEL_PACK_BUFFER, 0, static_cast<GLsizeiptr>(buffer_.bytes()), GL_MAP_READ_BIT);
+    if (pixels != nullptr) {
+        take({static_cast<const std::uint8_t*>(pixels), buffer_.bytes()});
+        gl_->UnmapBuffer(GL_PIXEL_PACK_BUFFER);
+    }
+    gl_->BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+    return true;
+}
+
+void PixelReadback::cancel() {
+    if (fence_ != nullptr) {
+        gl_->DeleteSync(std::exchange(fence_, nullptr));
+    }
+}
+
+} // namespace aolib::gl

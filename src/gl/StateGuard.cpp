@@ -1,0 +1,360 @@
+#include "gl/StateGuard.h"
+
+#include <algorithm>
+
+namespace aolib::gl {
+
+namespace {
+
+// Compatibility-profile names, which the core header does not declare.
+constexpr GLenum kAlphaTest = 0x0BC0;
+constexpr GLenum kPolygonStipple = 0x0B42;
+constexpr GLenum kLineStipple = 0x0B24;
+constexpr GLenum kClampFragmentColor = 0x891B;
+constexpr GLenum kMapColor = 0x0D10;
+constexpr GLenum kMapStencil = 0x0D11;
+
+constexpr std::array kToggles{
+    GLenum{GL_DEPTH_TEST},
+    GLenum{GL_STENCIL_TEST},
+    GLenum{GL_CULL_FACE},
+    GLenum{GL_POLYGON_OFFSET_FILL},
+    GLenum{GL_POLYGON_OFFSET_LINE},
+    GLenum{GL_POLYGON_OFFSET_POINT},
+    GLenum{GL_POLYGON_SMOOTH},
+    GLenum{GL_LINE_SMOOTH},
+    GLenum{GL_SAMPLE_ALPHA_TO_COVERAGE},
+    GLenum{GL_SAMPLE_ALPHA_TO_ONE},
+    GLenum{GL_SAMPLE_COVERAGE},
+    GLenum{GL_SAMPLE_MASK},
+    GLenum{GL_COLOR_LOGIC_OP},
+    GLenum{GL_RASTERIZER_DISCARD},
+    GLenum{GL_PRIMITIVE_RESTART},
+    GLenum{GL_DEPTH_CLAMP},
+    GLenum{GL_FRAMEBUFFER_SRGB},
+    GLenum{GL_DITHER},
+};
+
+constexpr std::array kPixelStore{
+    GLenum{GL_PACK_SWAP_BYTES},    GLenum{GL_PACK_LSB_FIRST},    GLenum{GL_PACK_ROW_LENGTH},
+    GLenum{GL_PACK_SKIP_ROWS},     GLenum{GL_PACK_SKIP_PIXELS},  GLenum{GL_PACK_ALIGNMENT},
+    GLenum{GL_PACK_IMAGE_HEIGHT},  GLenum{GL_PACK_SKIP_IMAGES},  GLenum{GL_UNPACK_SWAP_BYTES},
+    GLenum{GL_UNPACK_LSB_FIRST},   GLenum{GL_UNPACK_ROW_LENGTH}, GLenum{GL_UNPACK_SKIP_ROWS},
+    GLenum{GL_UNPACK_SKIP_PIXELS}, GLenum{GL_UNPACK_ALIGNMENT},  GLenum{GL_UNPACK_IMAGE_HEIGHT},
+    GLenum{GL_UNPACK_SKIP_IMAGES},
+};
+
+/// Scales of the compatibility profile's pixel transfer and, right after each, its bias.
+constexpr std::array kPixelTransferScales{
+    GLenum{0x0D14}, // GL_RED_SCALE
+    GLenum{0x0D18}, // GL_GREEN_SCALE
+    GLenum{0x0D1A}, // GL_BLUE_SCALE
+    GLenum{0x0D1C}, // GL_ALPHA_SCALE
+    GLenum{0x0D1E}, // GL_DEPTH_SCALE
+};
+
+GLint integer(const Functions& gl, GLenum name) {
+    GLint value = 0;
+    gl.GetIntegerv(name, &value);
+    return value;
+}
+
+void toggle(const Functions& gl, GLenum name, bool enabled) {
+    enabled ? gl.Enable(name) : gl.Disable(name);
+}
+
+bool isAlignment(GLenum name) { return name == GL_PACK_ALIGNMENT || name == GL_UNPACK_ALIGNMENT; }
+
+} // namespace
+
+StateGuard::StateGuard(const Functions& gl) : gl_(gl) {
+    saveToggles();
+    saveBindings();
+    savePixelPaths();
+    saveRasterState();
+    saveBlendState();
+    saveViewports();
+    setCleanSlate();
+}
+
+StateGuard::~StateGuard() {
+    restoreBindings();
+    restorePixelPaths();
+    restoreRasterState();
+    restoreBlendState();
+    restoreViewports();
+    restoreToggles();
+    if (feedbackPaused_) {
+        gl_.ResumeTransformFeedback();
+    }
+}
+
+bool StateGuard::hostSrgb() const {
+    return std::any_of(toggles_.begin(), toggles_.end(), [](const Toggle& t) {
+        return t.name == GL_FRAMEBUFFER_SRGB && t.enabled == GL_TRUE;
+    });
+}
+
+void StateGuard::saveToggles() {
+    std::vector<GLenum> names(kToggles.begin(), kToggles.end());
+    const Functions::Capabilities& can = gl_.capabilities;
+    if (can.sampleShading) {
+        names.push_back(GL_SAMPLE_SHADING);
+    }
+    if (can.fixedIndexRestart) {
+        names.push_back(GL_PRIMITIVE_RESTART_FIXED_INDEX);
+    }
+    if (can.compatibility) {
+        names.insert(names.end(), {kAlphaTest, kPolygonStipple, kLineStipple});
+    }
+    for (int i = 0; i < can.maxClipDistances; ++i) {
+        names.push_back(GL_CLIP_DISTANCE0 + static_cast<GLenum>(i));
+    }
+    for (const GLenum name : names) {
+        toggles_.push_back({name, gl_.IsEnabled(name)});
+    }
+    IndexedToggle blend{GL_BLEND, {}};
+    for (int i = 0; i < can.maxDrawBuffers; ++i) {
+        blend.enabled.push_back(gl_.IsEnabledi(GL_BLEND, static_cast<GLuint>(i)));
+    }
+    indexedToggles_.push_back(std::move(blend));
+    IndexedToggle scissor{GL_SCISSOR_TEST, {}};
+    for (int i = 0; i < can.maxViewports; ++i) {
+        scissor.enabled.push_back(can.viewportArray
+                                      ? gl_.IsEnabledi(GL_SCISSOR_TEST, static_cast<GLuint>(i))
+                                      : gl_.IsEnabled(GL_SCISSOR_TEST));
+    }
+    indexedToggles_.push_back(std::move(scissor));
+}
+
+void StateGuard::restoreToggles() const {
+    for (const Toggle& saved : toggles_) {
+        toggle(gl_, saved.name, saved.enabled == GL_TRUE);
+    }
+    for (const IndexedToggle& saved : indexedToggles_) {
+        // One value for all is set for all: Enablei on a scissor test needs viewport arrays.
+        const bool uniform = std::adjacent_find(saved.enabled.begin(), saved.enabled.end(),
+                                                std::not_equal_to<>()) == saved.enabled.end();
+        if (uniform) {
+            toggle(gl_, saved.name, saved.enabled.front() == GL_TRUE);
+            continue;
+        }
+        for (std::size_t i = 0; i < saved.enabled.size(); ++i) {
+            const auto index = static_cast<GLuint>(i);
+            saved.enabled[i] == GL_TRUE ? gl_.Enablei(saved.name, index)
+                                        : gl_.Disablei(saved.name, index);
+        }
+    }
+}
+
+void StateGuard::saveBindings() {
+    drawFramebuffer_ = integer(gl_, GL_DRAW_FRAMEBUFFER_BINDING);
+    readFramebuffer_ = integer(gl_, GL_READ_FRAMEBUFFER_BINDING);
+    program_ = integer(gl_, GL_CURRENT_PROGRAM);
+    vertexArray_ = integer(gl_, GL_VERTEX_ARRAY_BINDING);
+    arrayBuffer_ = integer(gl_, GL_ARRAY_BUFFER_BINDING);
+    packBuffer_ = integer(gl_, GL_PIXEL_PACK_BUFFER_BINDING);
+    unpackBuffer_ = integer(gl_, GL_PIXEL_UNPACK_BUFFER_BINDING);
+    activeTexture_ = integer(gl_, GL_ACTIVE_TEXTURE);
+    for (std::size_t i = 0; i < textureUnits_.size(); ++i) {
+        gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
+        textureUnits_[i] = {integer(gl_, GL_TEXTURE_BINDING_2D), integer(gl_, GL_SAMPLER_BINDING)};
+    }
+    if (gl_.capabilities.pauseFeedback && integer(gl_, GL_TRANSFORM_FEEDBACK_ACTIVE) == GL_TRUE &&
+        integer(gl_, GL_TRANSFORM_FEEDBACK_PAUSED) == GL_FALSE) {
+        gl_.PauseTransformFeedback();
+        feedbackPaused_ = true;
+    }
+}
+
+void StateGuard::restoreBindings() const {
+    gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(drawFramebuffer_));
+    gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(readFramebuffer_));
+    gl_.UseProgram(static_cast<GLuint>(program_));
+    gl_.BindVertexArray(static_cast<GLuint>(vertexArray_));
+    gl_.BindBuffer(GL_ARRAY_BUFFER, static_cast<GLuint>(arrayBuffer_));
+    gl_.BindBuffer(GL_PIXEL_PACK_BUFFER, static_cast<GLuint>(packBuffer_));
+    gl_.BindBuffer(GL_PIXEL_UNPACK_BUFFER, static_cast<GLuint>(unpackBuffer_));
+    for (std::size_t i = 0; i < textureUnits_.size(); ++i) {
+        gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
+        gl_.BindTexture(GL_TEXTURE_2D, static_cast<GLuint>(textureUnits_[i].texture));
+        gl_.BindSampler(static_cast<GLuint>(i), static_cast<GLuint>(textureUnits_[i].sampler));
+    }
+    gl_.ActiveTexture(static_cast<GLenum>(activeTexture_));
+}
+
+void StateGuard::savePixelPaths() {
+    for (const GLenum name : kPixelStore) {
+        pixelStore_.push_back({name, integer(gl_, name)});
+    }
+    clampReadColor_ = integer(gl_, GL_CLAMP_READ_COLOR);
+    if (!gl_.capabilities.compatibility) {
+        return;
+    }
+    clampFragmentColor_ = integer(gl_, kClampFragmentColor);
+    if (gl_.PixelTransferf == nullptr) {
+        return;
+    }
+    const auto save = [&](GLenum name) {
+        GLfloat value = 0.0F;
+        gl_.GetFloatv(name, &value);
+        pixelTransfer_.push_back({name, value});
+    };
+    save(kMapColor);
+    save(kMapStencil);
+    for (const GLenum scale : kPixelTransferScales) {
+        save(scale);
+        save(scale + 1);
+    }
+}
+
+void StateGuard::restorePixelPaths() const {
+    for (const PixelStore& saved : pixelStore_) {
+        gl_.PixelStorei(saved.name, saved.value);
+    }
+    gl_.ClampColor(GL_CLAMP_READ_COLOR, static_cast<GLenum>(clampReadColor_));
+    if (gl_.capabilities.compatibility) {
+        gl_.ClampColor(kClampFragmentColor, static_cast<GLenum>(clampFragmentColor_));
+    }
+    for (const PixelTransfer& saved : pixelTransfer_) {
+        gl_.PixelTransferf(saved.name, saved.value);
+    }
+}
+
+void StateGuard::saveRasterState() {
+    gl_.GetBooleanv(GL_DEPTH_WRITEMASK, &depthMask_);
+    depthFunc_ = integer(gl_, GL_DEPTH_FUNC);
+    gl_.GetIntegerv(GL_POLYGON_MODE, polygonMode_.data());
+    gl_.GetFloatv(GL_LINE_WIDTH, &lineWidth_);
+    if (gl_.capabilities.clipControl) {
+        clipOrigin_ = integer(gl_, GL_CLIP_ORIGIN);
+        clipDepthMode_ = integer(gl_, GL_CLIP_DEPTH_MODE);
+    }
+}
+
+void StateGuard::restoreRasterState() const {
+    gl_.DepthMask(depthMask_);
+    gl_.DepthFunc(static_cast<GLenum>(depthFunc_));
+    if (gl_.capabilities.compatibility) {
+        gl_.PolygonMode(GL_FRONT, static_cast<GLenum>(polygonMode_[0]));
+        gl_.PolygonMode(GL_BACK, static_cast<GLenum>(polygonMode_[1]));
+    } else {
+        gl_.PolygonMode(GL_FRONT_AND_BACK, static_cast<GLenum>(polygonMode_[0]));
+    }
+    gl_.LineWidth(lineWidth_);
+    if (gl_.capabilities.clipControl) {
+        gl_.ClipControl(static_cast<GLenum>(clipOrigin_), static_cast<GLenum>(clipDepthMode_));
+    }
+}
+
+void StateGuard::saveBlendState() {
+    const bool indexed = gl_.capabilities.indexedBlend;
+    constexpr std::array<GLenum, 4> kFactors{GL_BLEND_SRC_RGB, GL_BLEND_DST_RGB, GL_BLEND_SRC_ALPHA,
+                                             GL_BLEND_DST_ALPHA};
+    constexpr std::array<GLenum, 2> kEquations{GL_BLEND_EQUATION_RGB, GL_BLEND_EQUATION_ALPHA};
+    const int buffers = gl_.capabilities.maxDrawBuffers;
+    for (int i = 0; i < (indexed ? buffers : 1); ++i) {
+        BlendState& state = blend_.emplace_back();
+        const auto get = [&](GLenum name, GLint* value) {
+            indexed ? gl_.GetIntegeri_v(name, static_cast<GLuint>(i), value)
+                    : gl_.GetIntegerv(name, value);
+        };
+        for (std::size_t k = 0; k < kFactors.size(); ++k) {
+            get(kFactors[k], &state.factors[k]);
+        }
+        for (std::size_t k = 0; k < kEquations.size(); ++k) {
+            get(kEquations[k], &state.equations[k]);
+        }
+    }
+    for (int i = 0; i < buffers; ++i) {
+        gl_.GetBooleani_v(GL_COLOR_WRITEMASK, static_cast<GLuint>(i),
+                          colorMasks_.emplace_back().data());
+    }
+}
+
+void StateGuard::restoreBlendState() const {
+    for (std::size_t i = 0; i < blend_.size(); ++i) {
+        std::array<GLenum, 4> f{};
+        std::array<GLenum, 2> e{};
+        std::copy(blend_[i].factors.begin(), blend_[i].factors.end(), f.begin());
+        std::copy(blend_[i].equations.begin(), blend_[i].equations.end(), e.begin());
+        if (gl_.capabilities.indexedBlend) {
+            gl_.BlendFuncSeparatei(static_cast<GLuint>(i), f[0], f[1], f[2], f[3]);
+            gl_.BlendEquationSeparatei(static_cast<GLuint>(i), e[0], e[1]);
+        } else {
+            gl_.BlendFuncSeparate(f[0], f[1], f[2], f[3]);
+            gl_.BlendEquationSeparate(e[0], e[1]);
+        }
+    }
+    for (std::size_t i = 0; i < colorMasks_.size(); ++i) {
+        const std::array<GLboolean, 4>& m = colorMasks_[i];
+        gl_.ColorMaski(static_cast<GLuint>(i), m[0], m[1], m[2], m[3]);
+    }
+}
+
+void StateGuard::saveViewports() {
+    gl_.GetIntegerv(GL_VIEWPORT, viewport_.data());
+    for (int i = 0; i < gl_.capabilities.maxViewports; ++i) {
+        const auto index = static_cast<GLuint>(i);
+        std::array<GLfloat, 4>& box = viewports_.emplace_back();
+        std::array<GLdouble, 2>& range = depthRanges_.emplace_back();
+        if (gl_.capabilities.viewportArray) {
+            gl_.GetFloati_v(GL_VIEWPORT, index, box.data());
+            gl_.GetDoublei_v(GL_DEPTH_RANGE, index, range.data());
+        } else {
+            gl_.GetFloatv(GL_VIEWPORT, box.data());
+            gl_.GetDoublev(GL_DEPTH_RANGE, range.data());
+        }
+    }
+}
+
+void StateGuard::restoreViewports() const {
+    if (!gl_.capabilities.viewportArray) {
+        gl_.Viewport(viewport_[0], viewport_[1], viewport_[2], viewport_[3]);
+        gl_.DepthRange(depthRanges_[0][0], depthRanges_[0][1]);
+        return;
+    }
+    for (std::size_t i = 0; i < viewports_.size(); ++i) {
+        const auto index = static_cast<GLuint>(i);
+        gl_.ViewportIndexedfv(index, viewports_[i].data());
+        gl_.DepthRangeIndexed(index, depthRanges_[i][0], depthRanges_[i][1]);
+    }
+}
+
+void StateGuard::setCleanSlate() const {
+    for (const Toggle& saved : toggles_) {
+        gl_.Disable(saved.name);
+    }
+    for (const IndexedToggle& saved : indexedToggles_) {
+        gl_.Disable(saved.name);
+    }
+    gl_.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+    gl_.BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+    for (int i = 0; i < kTextureUnits; ++i) {
+        gl_.BindSampler(static_cast<GLuint>(i), 0);
+    }
+    for (const PixelStore& saved : pixelStore_) {
+        gl_.PixelStorei(saved.name, isAlignment(saved.name) ? 1 : 0);
+    }
+    gl_.ClampColor(GL_CLAMP_READ_COLOR, GL_FALSE);
+    if (gl_.capabilities.compatibility) {
+        gl_.ClampColor(kClampFragmentColor, GL_FALSE);
+    }
+    for (const PixelTransfer& saved : pixelTransfer_) {
+        const bool scale = std::find(kPixelTransferScales.begin(), kPixelTransferScales.end(),
+                                     saved.name) != kPixelTransferScales.end();
+        gl_.PixelTransferf(saved.name, scale ? 1.0F : 0.0F);
+    }
+    gl_.DepthMask(GL_TRUE);
+    gl_.DepthFunc(GL_LESS);
+    gl_.DepthRange(0.0, 1.0);
+    gl_.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    gl_.LineWidth(1.0F);
+    gl_.BlendEquationSeparate(GL_FUNC_ADD, GL_FUNC_ADD);
+    gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    if (gl_.capabilities.clipControl) {
+        gl_.ClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+    }
+}
+
+} // namespace aolib::gl

@@ -1,0 +1,105 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "gl/Functions.h"
+
+namespace aolib::gl {
+
+/// Takes the host's GL state aside and gives a clean slate; puts every piece back when it goes.
+///
+/// Saved by query, restored to what was found. What it covers is the list of state that aolib's
+/// passes touch or that could alter them; docs/integration.md holds the table.
+class StateGuard {
+  public:
+    /// Texture units 0 ... kTextureUnits - 1 are the only ones that aolib binds to.
+    static constexpr int kTextureUnits = 8;
+
+    explicit StateGuard(const Functions& gl);
+    ~StateGuard();
+    StateGuard(const StateGuard&) = delete;
+    StateGuard& operator=(const StateGuard&) = delete;
+
+    GLuint hostDrawFramebuffer() const { return static_cast<GLuint>(drawFramebuffer_); }
+    /// x, y, width, height of viewport 0, pixels, rounded as GL rounds it.
+    const std::array<GLint, 4>& hostViewport() const { return viewport_; }
+    bool hostSrgb() const;
+
+  private:
+    struct Toggle {
+        GLenum name;
+        GLboolean enabled;
+    };
+    struct IndexedToggle {
+        GLenum name;
+        std::vector<GLboolean> enabled;
+    };
+    struct PixelStore {
+        GLenum name;
+        GLint value;
+    };
+    struct PixelTransfer {
+        GLenum name;
+        GLfloat value;
+    };
+    struct TextureUnit {
+        GLint texture;
+        GLint sampler;
+    };
+    struct BlendState {
+        std::array<GLint, 4> factors; ///< source RGB, destination RGB, source A, destination A
+        std::array<GLint, 2> equations;
+    };
+
+    void saveToggles();
+    void saveBindings();
+    void savePixelPaths();
+    void saveRasterState();
+    void saveBlendState();
+    void saveViewports();
+    void setCleanSlate() const;
+    void restoreToggles() const;
+    void restoreBindings() const;
+    void restorePixelPaths() const;
+    void restoreRasterState() const;
+    void restoreBlendState() const;
+    void restoreViewports() const;
+
+    const Functions& gl_;
+
+    std::vector<Toggle> toggles_;
+    std::vector<IndexedToggle> indexedToggles_;
+
+    GLint drawFramebuffer_ = 0;
+    GLint readFramebuffer_ = 0;
+    GLint program_ = 0;
+    GLint vertexArray_ = 0;
+    GLint arrayBuffer_ = 0;
+    GLint packBuffer_ = 0;
+    GLint unpackBuffer_ = 0;
+    GLint activeTexture_ = 0;
+    std::array<TextureUnit, kTextureUnits> textureUnits_{};
+
+    std::vector<PixelStore> pixelStore_;
+    std::vector<PixelTransfer> pixelTransfer_;
+    GLint clampReadColor_ = 0;
+    GLint clampFragmentColor_ = 0;
+
+    GLboolean depthMask_ = GL_TRUE;
+    GLint depthFunc_ = 0;
+    std::array<GLint, 2> polygonMode_{};
+    GLfloat lineWidth_ = 1.0F;
+    GLint clipOrigin_ = 0;
+    GLint clipDepthMode_ = 0;
+    bool feedbackPaused_ = false;
+
+    std::vector<BlendState> blend_; ///< one per draw buffer, or one for all
+    std::vector<std::array<GLboolean, 4>> colorMasks_;
+
+    std::array<GLint, 4> viewport_{};
+    std::vector<std::array<GLfloat, 4>> viewports_;
+    std::vector<std::array<GLdouble, 2>> depthRanges_;
+};
+
+} // namespace aolib::gl

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include <glm/vec3.hpp>
+
+#include "gl/Buffer.h"
+
+namespace aolib::gl {
+
+/// Vertices in GPU memory, ready to draw: positions at location 0, normals (if any) at location 1.
+class VertexArray {
+  public:
+    VertexArray() = default;
+    /// No vertices at all: for passes that make theirs from gl_VertexID. Errors: OutOfMemory.
+    static Result<VertexArray> createEmpty(const Functions& gl, const std::string& label);
+    /// Indexed triangles; `normals` may be empty. Errors: OutOfMemory.
+    static Result<VertexArray> createTriangles(const Functions& gl,
+                                               std::span<const glm::vec3> positions,
+                                               std::span<const glm::vec3> normals,
+                                               std::span<const std::uint32_t> indices,
+                                               const std::string& label);
+
+    /// Draws the indexed triangles.
+    void drawTriangles() const;
+    /// Draws `count` vertices without attributes as `mode`.
+    void drawGenerated(GLenum mode, int count) const;
+    /// Covers the viewport with one triangle (fullscreen.vert).
+    void drawFullscreen() const { drawGenerated(GL_TRIANGLES, 3); }
+
+    bool hasNormals() const { return normals_.bytes() != 0; }
+    std::size_t bytes() const { return positions_.bytes() + normals_.bytes() + indices_.bytes(); }
+
+  private:
+    const Functions* gl_ = nullptr;
+    VertexArrayName name_;
+    Buffer positions_;
+    Buffer normals_;
+    Buffer indices_;
+    GLsizei indexCount_ = 0;
+};
+
+} // namespace aolib::gl

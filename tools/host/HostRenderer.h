@@ -1,0 +1,47 @@
+#pragma once
+
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include <aolib/Status.h>
+
+#include "content/Model.h"
+#include "gl/Functions.h"
+#include "gl/GLSLShader.h"
+#include "gl/VertexArray.h"
+
+namespace aolib {
+
+/// Draws a model as an ordinary renderer would: Lambert under sky and sun, a background, its own
+/// shaders and vertex arrays. Knows nothing of ambient occlusion, and touches only the state that
+/// it needs, as hosts do. Context: the one current at create(), for every call.
+class HostRenderer {
+public:
+    /// Uploads the model. @param gl  must outlive the renderer.
+    /// Errors: ShaderError, OutOfMemory.
+    static Result<HostRenderer> create(const gl::Functions& gl, const Model& model);
+
+    /// Clears what is bound and draws background and model into it, over the current viewport.
+    /// @param view,projection  world to eye, eye to clip; any that OpenGL can draw.
+    void draw(const glm::mat4& view, const glm::mat4& projection);
+
+private:
+    struct Piece {
+        gl::VertexArray triangles;
+        glm::mat4 transform{1.0F};
+        glm::vec3 colour{1.0F}; ///< linear
+    };
+
+    void drawSky(const glm::mat4& view, const glm::mat4& projection);
+    void drawPieces(const glm::mat4& view, const glm::mat4& projection);
+
+    const gl::Functions* gl_ = nullptr;
+    gl::GLSLShader surface_;
+    gl::GLSLShader sky_;
+    gl::VertexArray empty_;
+    std::vector<Piece> pieces_;
+};
+
+} // namespace aolib

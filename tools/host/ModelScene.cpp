@@ -1,0 +1,31 @@
+#include "host/ModelScene.h"
+
+namespace aolib {
+
+Result<std::vector<MeshId>> describeScene(AmbientOcclusion& ao, const Model& model,
+                                          SceneNormals normals) {
+    std::vector<MeshId> ids;
+    for (const ModelMesh& mesh : model.meshes) {
+        if (mesh.indices.empty()) {
+            continue;
+        }
+        MeshData data;
+        data.positions = mesh.positions;
+        if (normals == SceneNormals::Model) {
+            data.normals = mesh.normals;
+        }
+        data.indices = mesh.indices;
+        data.transform = mesh.transform;
+        const Result<MeshId> id = ao.addMesh(data);
+        if (!id) {
+            return Status(id.status().code(), mesh.name + ": " + id.status().message());
+        }
+        ids.push_back(*id);
+    }
+    if (ids.empty()) {
+        return Status(StatusCode::NoScene, model.name + " holds no triangles");
+    }
+    return ids;
+}
+
+} // namespace aolib

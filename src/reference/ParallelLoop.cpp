@@ -1,0 +1,78 @@
+#include "reference/ParallelLoop.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <stop_token>
+#include <thread>
+#include <vector>
+
+namespace aolib {
+
+namespace {
+
+/// Indices per piece: long enough to make the bookkeeping free, short enough to cancel promptly.
+constexpr std::size_t pieceLength = 16;
+/// The longest wait between two reports of progress.
+constexpr std::chrono::milliseconds reportInterval{50};
+
+unsigned workerCount(int threads, std::size_t pieces) {
+    const unsigned wanted = threads > 0 ? static_cast<unsigned>(threads)
+                                        : std::max(1U, std::thread::hardware_concurrency());
+    return static_cast<unsigned>(std::min<std::size_t>(wanted, pieces));
+}
+
+} // namespace
+
+bool parallelLoop(std::size_t count, int threads,
+                  const std::function<void(std::size_t begin, std::size_t end)>& body,
+                  const TraceProgress& progress) {
+    if (progress && !progress(0.0)) {
+        return false;
+    }
+    const std::size_t pieces = (count + pieceLength - 1) / pieceLength;
+    std::atomic<std::size_t> next{0};
+    std::mutex mutex;
+    std::condition_variable finished;
+    std::size_t done = 0;
+    unsigned running = workerCount(threads, pieces);
+    bool cancelled = false;
+
+    const auto work = [&](const std::stop_token& stop) {
+        for (std::size_t piece = next++; piece < pieces && !stop.stop_requested(); piece = next++) {
+            const std::size_t begin = piece * pieceLength;
+            body(begin, std::min(begin + pieceLength, count));
+            const std::scoped_lock lock(mutex);
+            ++done;
+        }
+        const std::scoped_lock lock(mutex);
+        --running;
+        finished.notify_all();
+    };
+    std::vector<std::jthread> workers;
+    for (unsigned i = running; i > 0; --i) {
+        workers.emplace_back(work);
+    }
+    std::unique_lock lock(mutex);
+    while (!finished.wait_for(lock, reportInterval, [&] { return running == 0; })) {
+        const double fraction = static_cast<double>(done) / static_cast<double>(pieces);
+        lock.unlock();
+        if (!cancelled && progress && !progress(fraction)) {
+            cancelled = true;
+            std::ranges::for_each(workers, [](std::jthread& worker) { worker.request_stop(); });
+        }
+        lock.lock();
+    }
+    if (done < pieces) {
+        return false;
+    }
+    lock.unlock();
+    if (progress) {
+        progress(1.0);
+    }
+    return true;
+}
+
+} // namespace aolib

@@ -1,0 +1,78 @@
+#include "reference/ParallelLoop.h"
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace aolib {
+namespace {
+
+TEST(ParallelLoop, VisitsEveryIndexOnce) {
+    for (const std::size_t count : {0U, 1U, 15U, 16U, 17U, 1000U}) {
+        for (const int threads : {0, 1, 3}) {
+            std::vector<int> visits(count, 0);
+            EXPECT_TRUE(parallelLoop(count, threads,
+                                     [&](std::size_t begin, std::size_t end) {
+                                         for (std::size_t i = begin; i < end; ++i) {
+                                             ++visits[i];
+                                         }
+                                     },
+                                     {}));
+            EXPECT_EQ(visits, std::vector<int>(count, 1));
+        }
+    }
+}
+
+TEST(ParallelLoop, ReportsRisingProgressFromTheCallersThread) {
+    std::vector<double> fractions;
+    const auto caller = std::this_thread::get_id();
+    EXPECT_TRUE(parallelLoop(
+        64, 2,
+        [](std::size_t, std::size_t) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(70));
+        },
+        [&](double fraction) {
+            EXPECT_EQ(std::this_thread::get_id(), caller);
+            fractions.push_back(fraction);
+            return true;
+        }));
+    ASSERT_GE(fractions.size(), 3U);
+    EXPECT_EQ(fractions.front(), 0.0);
+    EXPECT_EQ(fractions.back(), 1.0);
+    EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+}
+
+TEST(ParallelLoop, CancelledBeforeItStartsRunsNothing) {
+    std::atomic<int> pieces{0};
+    EXPECT_FALSE(parallelLoop(
+        1000, 2, [&](std::size_t, std::size_t) { ++pieces; }, [](double) { return false; }));
+    EXPECT_EQ(pieces, 0);
+}
+
+/// Every piece but the first waits for the cancellation, so it always comes in the middle.
+TEST(ParallelLoop, CancelledMidwayStopsSoon) {
+    std::atomic<int> pieces{0};
+    std::atomic<bool> cancelled{false};
+    EXPECT_FALSE(parallelLoop(
+        1000000, 2,
+        [&](std::size_t, std::size_t) {
+            if (++pieces > 1) {
+                cancelled.wait(false);
+            }
+        },
+        [&](double fraction) {
+            if (fraction == 0.0) {
+                return true;
+            }
+            cancelled = true;
+            cancelled.notify_all();
+            return false;
+        }));
+    EXPECT_LT(pieces, 62500);
+}
+
+} // namespace
+} // namespace aolib

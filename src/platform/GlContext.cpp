@@ -14,6 +14,13 @@ namespace {
 /// How to release what is current in this thread; null if nothing of ours is.
 thread_local void (*releaseCurrent)() = nullptr;
 
+void releaseThread() {
+    if (releaseCurrent != nullptr) {
+        releaseCurrent();
+        releaseCurrent = nullptr;
+    }
+}
+
 Status checkRequest(const ContextRequest& request) {
     if (request.width < 1 || request.height < 1) {
         return {StatusCode::InvalidOption,
@@ -57,9 +64,8 @@ std::string driverOf(const std::string& version) {
 } // namespace
 
 Status GlContext::makeCurrent() {
-    if (releaseCurrent != nullptr && releaseCurrent != releaseFunction()) {
-        releaseCurrent();
-        releaseCurrent = nullptr;
+    if (releaseCurrent != releaseFunction()) {
+        releaseThread();
     }
     Status status = bind();
     if (status.ok()) {
@@ -70,8 +76,7 @@ Status GlContext::makeCurrent() {
 
 void GlContext::doneCurrent() {
     if (isCurrent()) {
-        releaseCurrent();
-        releaseCurrent = nullptr;
+        releaseThread();
     }
 }
 
@@ -143,6 +148,7 @@ Result<std::unique_ptr<GlContext>> createContext(const ContextRequest& request) 
     if (Status status = checkRequest(request); !status.ok()) {
         return status;
     }
+    releaseThread(); // GLFW makes a new window's context current to look at it
     auto made = createByApi(request);
     if (!made.ok()) {
         return made;

@@ -94,7 +94,8 @@ private:
 /// found out by createContext().
 std::vector<ContextRequest::Api> availableApis();
 
-/// Makes a context; on success it is current in this thread.
+/// Makes a context; on success it is current in this thread. The one that was current is released,
+/// also on failure.
 ///
 /// EGL takes the first that works of: hardware devices, software devices, Mesa's surfaceless
 /// platform, the default display. The environment variable AOLIB_EGL_DEVICE (an index, from 0)

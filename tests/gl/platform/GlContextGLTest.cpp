@@ -339,47 +339,54 @@ TEST(OffscreenContextGLTest, FallsBackToOsMesaWhereEglFails) {
     EXPECT_EQ((*context)->api(), Api::OsMesa);
 }
 
-TEST(MixedContextsGLTest, EglAndOsMesaAlternateInOneProcess) {
-    if (const std::string reason = reasonToSkip(Api::OsMesa); !reason.empty()) {
+class MixedContextsGLTest : public testing::TestWithParam<Api> {};
+
+TEST_P(MixedContextsGLTest, AlternateWithEglInOneProcess) {
+    if (const std::string reason = reasonToSkip(GetParam()); !reason.empty()) {
         GTEST_SKIP() << reason;
     }
     ContextRequest request;
     request.defaultFramebuffer = true;
     auto egl = createContext(request);
     ASSERT_TRUE(egl.ok()) << egl.status().message();
-    request.api = Api::OsMesa;
-    auto osMesa = createContext(request);
-    ASSERT_TRUE(osMesa.ok()) << osMesa.status().message();
+    request.api = GetParam();
+    auto other = createContext(request);
+    ASSERT_TRUE(other.ok()) << other.status().message();
     EXPECT_FALSE((*egl)->isCurrent());
     for (int round = 0; round < 3; ++round) {
-        ASSERT_TRUE((*egl)->makeCurrent().ok());
-        EXPECT_FALSE((*osMesa)->isCurrent());
+        const Status toEgl = (*egl)->makeCurrent();
+        ASSERT_TRUE(toEgl.ok()) << toEgl.message();
+        EXPECT_FALSE((*other)->isCurrent());
         EXPECT_EQ(clearAndRead(**egl, 1.0f, 0.0f), (std::array<GLubyte, 4>{255, 0, 0, 255}));
-        ASSERT_TRUE((*osMesa)->makeCurrent().ok());
+        const Status toOther = (*other)->makeCurrent();
+        ASSERT_TRUE(toOther.ok()) << toOther.message();
         EXPECT_FALSE((*egl)->isCurrent());
-        EXPECT_EQ(clearAndRead(**osMesa, 0.0f, 1.0f), (std::array<GLubyte, 4>{0, 255, 0, 255}));
+        EXPECT_EQ(clearAndRead(**other, 0.0f, 1.0f), (std::array<GLubyte, 4>{0, 255, 0, 255}));
     }
     egl.value().reset();
-    EXPECT_TRUE((*osMesa)->isCurrent());
-    EXPECT_EQ(clearAndRead(**osMesa, 1.0f, 1.0f), (std::array<GLubyte, 4>{255, 255, 0, 255}));
+    EXPECT_TRUE((*other)->isCurrent());
+    EXPECT_EQ(clearAndRead(**other, 1.0f, 1.0f), (std::array<GLubyte, 4>{255, 255, 0, 255}));
 }
 
-TEST(MixedContextsGLTest, OsMesaIsDestroyedWhileEglIsCurrent) {
-    if (const std::string reason = reasonToSkip(Api::OsMesa); !reason.empty()) {
+TEST_P(MixedContextsGLTest, IsDestroyedWhileEglIsCurrent) {
+    if (const std::string reason = reasonToSkip(GetParam()); !reason.empty()) {
         GTEST_SKIP() << reason;
     }
     ContextRequest request;
-    request.api = Api::OsMesa;
-    auto osMesa = createContext(request);
-    ASSERT_TRUE(osMesa.ok()) << osMesa.status().message();
+    request.api = GetParam();
+    auto other = createContext(request);
+    ASSERT_TRUE(other.ok()) << other.status().message();
     request.api = Api::Egl;
     request.defaultFramebuffer = true;
     auto egl = createContext(request);
     ASSERT_TRUE(egl.ok()) << egl.status().message();
-    osMesa.value().reset();
+    other.value().reset();
     EXPECT_TRUE((*egl)->isCurrent());
     EXPECT_EQ(clearAndRead(**egl, 1.0f, 1.0f), (std::array<GLubyte, 4>{255, 255, 0, 255}));
 }
+
+INSTANTIATE_TEST_SUITE_P(Others, MixedContextsGLTest, testing::Values(Api::OsMesa, Api::Glfw),
+                         [](const auto& each) { return apiName(each.param); });
 
 } // namespace
 } // namespace aolib

@@ -3,7 +3,7 @@
 #include <string>
 #include <utility>
 
-namespace aolib {
+namespace aolib::host {
 
 namespace {
 
@@ -98,4 +98,4 @@ Result<ByteImage> HostFramebuffer::readColour() const {
     return picture;
 }
 
-} // namespace aolib
+} // namespace aolib::host

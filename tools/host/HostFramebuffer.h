@@ -5,7 +5,7 @@
 #include "gl/Handle.h"
 #include "image/Image.h"
 
-namespace aolib {
+namespace aolib::host {
 
 /// What a host draws into: RGBA8 colour and 24 bit depth with 8 bit stencil, multisampled or not.
 /// Context: the one current at create(), for every call.
@@ -40,4 +40,4 @@ private:
     gl::Framebuffer framebuffer_;
 };
 
-} // namespace aolib
+} // namespace aolib::host

@@ -8,7 +8,7 @@
 
 #include "host/HostShaders.h"
 
-namespace aolib {
+namespace aolib::host {
 
 namespace {
 
@@ -22,15 +22,14 @@ constexpr std::array<float, 4> kBlack{0.0F, 0.0F, 0.0F, 1.0F};
 Result<HostRenderer> HostRenderer::create(const gl::Functions& gl, const Model& model) {
     HostRenderer renderer;
     renderer.gl_ = &gl;
-    Result<gl::GLSLShader> surface =
-        gl::GLSLShader::build(gl, {"surface.vert", host::surfaceVertexShader},
-                              {"surface.frag", host::surfaceFragmentShader});
+    Result<gl::GLSLShader> surface = gl::GLSLShader::build(
+        gl, {"surface.vert", surfaceVertexShader}, {"surface.frag", surfaceFragmentShader});
     if (!surface) {
         return surface.status();
     }
     renderer.surface_ = std::move(*surface);
-    Result<gl::GLSLShader> sky = gl::GLSLShader::build(gl, {"sky.vert", host::skyVertexShader},
-                                                       {"sky.frag", host::skyFragmentShader});
+    Result<gl::GLSLShader> sky =
+        gl::GLSLShader::build(gl, {"sky.vert", skyVertexShader}, {"sky.frag", skyFragmentShader});
     if (!sky) {
         return sky.status();
     }
@@ -97,4 +96,4 @@ void HostRenderer::drawPieces(const glm::mat4& view, const glm::mat4& projection
     }
 }
 
-} // namespace aolib
+} // namespace aolib::host

@@ -12,7 +12,7 @@
 #include "gl/GLSLShader.h"
 #include "gl/VertexArray.h"
 
-namespace aolib {
+namespace aolib::host {
 
 /// Draws a model as an ordinary renderer would: Lambert under sky and sun, a background, its own
 /// shaders and vertex arrays. Knows nothing of ambient occlusion, and touches only the state that
@@ -44,4 +44,4 @@ private:
     std::vector<Piece> pieces_;
 };
 
-} // namespace aolib
+} // namespace aolib::host

@@ -1,6 +1,6 @@
 #include "host/ModelScene.h"
 
-namespace aolib {
+namespace aolib::host {
 
 Result<std::vector<MeshId>> describeScene(AmbientOcclusion& ao, const Model& model,
                                           SceneNormals normals) {
@@ -28,4 +28,4 @@ Result<std::vector<MeshId>> describeScene(AmbientOcclusion& ao, const Model& mod
     return ids;
 }
 
-} // namespace aolib
+} // namespace aolib::host

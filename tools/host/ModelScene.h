@@ -7,7 +7,7 @@
 
 #include "content/Model.h"
 
-namespace aolib {
+namespace aolib::host {
 
 /// Which normals of a model ambient occlusion is told.
 enum class SceneNormals : std::uint8_t {
@@ -20,4 +20,4 @@ enum class SceneNormals : std::uint8_t {
 Result<std::vector<MeshId>> describeScene(AmbientOcclusion& ao, const Model& model,
                                           SceneNormals normals);
 
-} // namespace aolib
+} // namespace aolib::host

@@ -5,6 +5,8 @@
 # `#include "path"` is relative to SHADER_DIR; a file is included once per stage. `#line` gives the
 # compiler's messages the line and the number of the file; the table of names is embedded beside.
 
+cmake_minimum_required(VERSION 3.22)
+
 function(resolve path)
     list(LENGTH files index)
     list(APPEND files ${path})
@@ -41,7 +43,7 @@ function(resolve path)
 endfunction()
 
 string(REPLACE "," ";" STAGES "${STAGES}")
-set(content "// Made by cmake/EmbedShaders.cmake from shaders/.\n#include \"backbone/ShaderLibrary.h\"\n\n")
+set(content "// Made by cmake/EmbedShaders.cmake from shaders/.\n#include \"backbone/ShaderLibrary.h\"\n\n#include <iterator>\n\n")
 string(APPEND content "namespace aolib {\n\nconst EmbeddedShader kEmbeddedShaders[] = {\n")
 foreach(stage IN LISTS STAGES)
     set(files "")

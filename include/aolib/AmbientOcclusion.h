@@ -23,7 +23,7 @@ namespace aolib {
 /// the cube maps and the host's GL state as they were. Calls that need OpenGL say "Context": they
 /// must run with the context current that was current at create(). One thread at a time.
 class AOLIB_EXPORT AmbientOcclusion {
-  public:
+public:
     /// Called with each failure, after it was kept as lastStatus().
     using MessageSink = std::function<void(const Status&)>;
 
@@ -122,7 +122,7 @@ class AOLIB_EXPORT AmbientOcclusion {
     /// Receives every failure from now on; empty for none.
     void setMessageSink(MessageSink sink);
 
-  private:
+private:
     struct Impl;
     explicit AmbientOcclusion(std::unique_ptr<Impl> impl);
     std::unique_ptr<Impl> impl_;

@@ -59,7 +59,8 @@ void visitOptions(OptionsType& o, Visitor&& visit) {
           "horizon-split: samples per direction");
     visit("step-size", o.horizonSplit.stepSize, OptionRange{0.0, kMaxFloat},
           "horizon-split: world units between samples; 0 = radius / steps");
-    visit("face-size", o.cubeMaps.faceSize, OptionRange{16, 4096}, "cube map: texels per face edge");
+    visit("face-size", o.cubeMaps.faceSize, OptionRange{16, 4096},
+          "cube map: texels per face edge");
     visit("nearest", o.cubeMaps.nearest, OptionRange{1, 64}, "cube maps projected per frame");
     visit("place", o.cubeMaps.place, "place cube maps where coverage falls short");
     visit("coverage", o.cubeMaps.coverage, OptionRange{0.0, 1.0},

@@ -43,11 +43,11 @@ struct HorizonSplitOptions {
 
 /// Settings of `Backbone::Cubemapped`.
 struct CubeMapOptions {
-    int faceSize = 512;        ///< texels along a face's edge, 16 to 4096
-    int nearest = 10;          ///< cube maps projected per frame, nearest to the camera, 1 to 64
-    bool place = true;         ///< place new cube maps at the camera where coverage falls short
-    float coverage = 0.75F;    ///< share of shaded pixels below which one is placed, 0 to 1
-    bool outlines = false;     ///< draw a small wire cube where each cube map stands
+    int faceSize = 512;     ///< texels along a face's edge, 16 to 4096
+    int nearest = 10;       ///< cube maps projected per frame, nearest to the camera, 1 to 64
+    bool place = true;      ///< place new cube maps at the camera where coverage falls short
+    float coverage = 0.75F; ///< share of shaded pixels below which one is placed, 0 to 1
+    bool outlines = false;  ///< draw a small wire cube where each cube map stands
 };
 
 /// The edge-aware blur of the projected ambient occlusion.

@@ -23,16 +23,16 @@ struct CubeMapInfo {
 
 /// What the latest frame did and cost.
 struct Statistics {
-    std::uint64_t frame = 0;        ///< frames ended so far
-    float coverage = -1.0F;         ///< share of geometry pixels that are shaded; -1 until known
+    std::uint64_t frame = 0;         ///< frames ended so far
+    float coverage = -1.0F;          ///< share of geometry pixels that are shaded; -1 until known
     std::uint64_t coverageFrame = 0; ///< the frame that `coverage` was counted in
-    int cubeMapsProjected = 0;      ///< in the latest frame
-    int cubeMapsBuilt = 0;          ///< in the latest frame, placed or rebuilt
-    double frameGpuMs = -1.0;       ///< GPU time of aolib's passes in an earlier frame; -1 until known
-    std::size_t bytesKept = 0;      ///< GPU memory of all cube maps
-    std::size_t bytesFrame = 0;     ///< GPU memory of the per-frame targets
-    std::size_t bytesCapture = 0;   ///< GPU memory of the capture target while a cube map is built
-    std::size_t bytesScene = 0;     ///< GPU memory of the scene's triangles
+    int cubeMapsProjected = 0;       ///< in the latest frame
+    int cubeMapsBuilt = 0;           ///< in the latest frame, placed or rebuilt
+    double frameGpuMs = -1.0;   ///< GPU time of aolib's passes in an earlier frame; -1 until known
+    std::size_t bytesKept = 0;  ///< GPU memory of all cube maps
+    std::size_t bytesFrame = 0; ///< GPU memory of the per-frame targets
+    std::size_t bytesCapture = 0; ///< GPU memory of the capture target while a cube map is built
+    std::size_t bytesScene = 0;   ///< GPU memory of the scene's triangles
 };
 
 /// Ambient occlusion of the latest frame, as it was blended: row 0 is the bottom row.

@@ -5,38 +5,40 @@
 #include <utility>
 #include <variant>
 
+#include <aolib/Export.h>
+
 namespace aolib {
 
 /// What went wrong, one code per reason. Since 0.1.
 enum class StatusCode : std::uint8_t {
     Ok,
-    InvalidCallOrder,     ///< the call is not allowed here; the message says what to call first
-    InvalidPosition,      ///< a position or transform is NaN or infinite
-    InvalidNormal,        ///< a normal is NaN or infinite, or normals and positions differ in number
-    InvalidIndex,         ///< an index names no vertex of its mesh
-    IncompletePrimitive,  ///< the number of indices does not fit the primitive
-    EmptyMesh,            ///< a mesh without vertices or without triangles
-    InvalidPrimitive,     ///< a value that names no primitive
-    UnknownMesh,          ///< no mesh has this id
-    UnknownCubeMap,       ///< no cube map has this id
-    NoScene,              ///< there are no triangles yet
-    NoCamera,             ///< aoSetCamera() was not called and GL holds no matrices to read
-    InvalidCamera,        ///< a matrix is not finite, cannot be inverted or contradicts the position
-    InvalidOption,        ///< an option lies outside its range
-    InvalidFramebuffer,   ///< the host's framebuffer is incomplete, has no depth, or no size
-    MissingCapability,    ///< the context lacks a function or a size that is needed
-    NoContext,            ///< no OpenGL context is current, or the loader knows no function
-    ShaderError,          ///< a shader did not compile or link; the message holds the driver's log
-    OutOfMemory,          ///< GL could not give a texture, buffer or framebuffer of the size asked for
+    InvalidCallOrder,    ///< the call is not allowed here; the message says what to call first
+    InvalidPosition,     ///< a position or transform is NaN or infinite
+    InvalidNormal,       ///< a normal is NaN or infinite, or normals and positions differ in number
+    InvalidIndex,        ///< an index names no vertex of its mesh
+    IncompletePrimitive, ///< the number of indices does not fit the primitive
+    EmptyMesh,           ///< a mesh without vertices or without triangles
+    InvalidPrimitive,    ///< a value that names no primitive
+    UnknownMesh,         ///< no mesh has this id
+    UnknownCubeMap,      ///< no cube map has this id
+    NoScene,             ///< there are no triangles yet
+    NoCamera,            ///< aoSetCamera() was not called and GL holds no matrices to read
+    InvalidCamera,       ///< a matrix is not finite, cannot be inverted or contradicts the position
+    InvalidOption,       ///< an option lies outside its range
+    InvalidFramebuffer,  ///< the host's framebuffer is incomplete, has no depth, or no size
+    MissingCapability,   ///< the context lacks a function or a size that is needed
+    NoContext,           ///< no OpenGL context is current, or the loader knows no function
+    ShaderError,         ///< a shader did not compile or link; the message holds the driver's log
+    OutOfMemory, ///< GL could not give a texture, buffer or framebuffer of the size asked for
 };
 
 /// The name of a code, for messages and tests: `statusName(StatusCode::Ok) == "Ok"`.
-const char* statusName(StatusCode code);
+AOLIB_EXPORT const char* statusName(StatusCode code);
 
 /// The outcome of a call: a code, and a sentence with the numbers when it is not Ok. A host may
 /// ignore it; `AmbientOcclusion::lastStatus()` keeps the latest failure. Since 0.1.
 class Status {
-  public:
+public:
     Status() = default;
     Status(StatusCode code, std::string message) : code_(code), message_(std::move(message)) {}
 
@@ -45,7 +47,7 @@ class Status {
     StatusCode code() const { return code_; }
     const std::string& message() const { return message_; }
 
-  private:
+private:
     StatusCode code_ = StatusCode::Ok;
     std::string message_;
 };
@@ -53,7 +55,7 @@ class Status {
 /// A value, or the status that says why there is none. Since 0.1.
 template <typename T>
 class [[nodiscard]] Result {
-  public:
+public:
     Result(T value) : content_(std::move(value)) {}
     Result(Status failure) : content_(std::move(failure)) {}
 
@@ -67,7 +69,7 @@ class [[nodiscard]] Result {
     T* operator->() { return &value(); }
     const T* operator->() const { return &value(); }
 
-  private:
+private:
     std::variant<T, Status> content_;
 };
 

@@ -11,7 +11,7 @@ namespace aolib::gl {
 
 /// A buffer object with content that is given once.
 class Buffer {
-  public:
+public:
     Buffer() = default;
     /// @param target  GL_ARRAY_BUFFER, GL_PIXEL_PACK_BUFFER, ...: the binding used to fill it.
     /// @param data    `bytes` bytes, or null to leave them undefined. Errors: OutOfMemory.
@@ -21,7 +21,7 @@ class Buffer {
     GLuint name() const { return name_.name(); }
     std::size_t bytes() const { return bytes_; }
 
-  private:
+private:
     BufferName name_;
     std::size_t bytes_ = 0;
 };

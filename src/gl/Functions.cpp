@@ -44,10 +44,11 @@ Functions::Capabilities capabilitiesOf(const Functions& gl, int version) {
     can.version = version;
     can.compatibility =
         (integer(gl, GL_CONTEXT_PROFILE_MASK) & GL_CONTEXT_COMPATIBILITY_PROFILE_BIT) != 0 ||
-        (integer(gl, GL_CONTEXT_PROFILE_MASK) == 0 && extensions.count("GL_ARB_compatibility") != 0);
+        (integer(gl, GL_CONTEXT_PROFILE_MASK) == 0 &&
+         extensions.count("GL_ARB_compatibility") != 0);
     can.clipControl = has(45, "GL_ARB_clip_control", gl.ClipControl);
-    can.indexedBlend = has(40, "GL_ARB_draw_buffers_blend", gl.BlendFuncSeparatei,
-                           gl.BlendEquationSeparatei);
+    can.indexedBlend =
+        has(40, "GL_ARB_draw_buffers_blend", gl.BlendFuncSeparatei, gl.BlendEquationSeparatei);
     can.viewportArray = has(41, "GL_ARB_viewport_array", gl.ViewportIndexedfv, gl.GetFloati_v,
                             gl.DepthRangeIndexed, gl.GetDoublei_v);
     can.pauseFeedback = has(40, "GL_ARB_transform_feedback2", gl.PauseTransformFeedback,

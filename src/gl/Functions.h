@@ -22,17 +22,17 @@ struct Functions {
 #undef AOLIB_GL_MEMBER
 
     struct Capabilities {
-        int version = 0;             ///< major * 10 + minor
-        bool compatibility = false;  ///< the fixed-function pipeline exists
-        bool clipControl = false;    ///< GL 4.5 or ARB_clip_control
-        bool indexedBlend = false;   ///< GL 4.0 or ARB_draw_buffers_blend: blend functions per buffer
-        bool viewportArray = false;  ///< GL 4.1 or ARB_viewport_array
-        bool pauseFeedback = false;  ///< GL 4.0 or ARB_transform_feedback2
-        bool sampleShading = false;  ///< GL 4.0 or ARB_sample_shading
+        int version = 0;            ///< major * 10 + minor
+        bool compatibility = false; ///< the fixed-function pipeline exists
+        bool clipControl = false;   ///< GL 4.5 or ARB_clip_control
+        bool indexedBlend = false; ///< GL 4.0 or ARB_draw_buffers_blend: blend functions per buffer
+        bool viewportArray = false;     ///< GL 4.1 or ARB_viewport_array
+        bool pauseFeedback = false;     ///< GL 4.0 or ARB_transform_feedback2
+        bool sampleShading = false;     ///< GL 4.0 or ARB_sample_shading
         bool fixedIndexRestart = false; ///< GL 4.3 or ARB_ES3_compatibility
-        bool debug = false;          ///< GL 4.3 or KHR_debug
+        bool debug = false;             ///< GL 4.3 or KHR_debug
         int maxTextureSize = 0;
-        int maxTextureUnits = 0;     ///< of all stages together
+        int maxTextureUnits = 0; ///< of all stages together
         int maxDrawBuffers = 0;
         int maxViewports = 1;
         int maxClipDistances = 0;

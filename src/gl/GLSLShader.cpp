@@ -12,7 +12,7 @@ namespace {
 
 /// A shader object that lives until its program is linked.
 class Stage {
-  public:
+public:
     Stage(const Functions& gl, GLenum kind) : gl_(gl), name_(gl.CreateShader(kind)) {}
     ~Stage() {
         if (name_ != 0) {
@@ -45,7 +45,7 @@ class Stage {
                 std::string(source.name) + " does not compile: " + log.c_str()};
     }
 
-  private:
+private:
     const Functions& gl_;
     GLuint name_;
 };
@@ -106,7 +106,9 @@ Result<GLSLShader> GLSLShader::build(const Functions& gl, const Source& vertex,
     return shader;
 }
 
-void GLSLShader::bind() const { gl_->UseProgram(program_); }
+void GLSLShader::bind() const {
+    gl_->UseProgram(program_);
+}
 
 GLint GLSLShader::location(const char* name) {
     const auto known = locations_.find(name);
@@ -116,8 +118,12 @@ GLint GLSLShader::location(const char* name) {
     return locations_.emplace(name, gl_->GetUniformLocation(program_, name)).first->second;
 }
 
-void GLSLShader::set(const char* name, int value) { gl_->Uniform1i(location(name), value); }
-void GLSLShader::set(const char* name, float value) { gl_->Uniform1f(location(name), value); }
+void GLSLShader::set(const char* name, int value) {
+    gl_->Uniform1i(location(name), value);
+}
+void GLSLShader::set(const char* name, float value) {
+    gl_->Uniform1f(location(name), value);
+}
 void GLSLShader::set(const char* name, const glm::ivec2& value) {
     gl_->Uniform2i(location(name), value.x, value.y);
 }

@@ -18,7 +18,7 @@ namespace aolib::gl {
 
 /// A program of a vertex and a fragment stage (thesis 4.2.3).
 class GLSLShader {
-  public:
+public:
     /// The text of one stage and the name that messages give it.
     struct Source {
         std::string_view name;
@@ -47,7 +47,7 @@ class GLSLShader {
     void set(const char* name, const glm::mat3& value);
     void set(const char* name, const glm::mat4& value);
 
-  private:
+private:
     GLint location(const char* name);
 
     const Functions* gl_ = nullptr;

@@ -11,7 +11,7 @@ namespace aolib::gl {
 /// Measures the GPU time between begin() and end() by two timestamps, which disturb no query that
 /// the host has running. The answer comes frames later and is never waited for.
 class GpuTimer {
-  public:
+public:
     GpuTimer() = default;
     static Result<GpuTimer> create(const Functions& gl);
 
@@ -21,7 +21,7 @@ class GpuTimer {
     /// The latest finished measurement, milliseconds; -1 before the first.
     double milliseconds();
 
-  private:
+private:
     enum class State { Idle, Running, Pending };
 
     const Functions* gl_ = nullptr;

@@ -10,7 +10,7 @@ namespace aolib::gl {
 /// `Delete` names the member of Functions that deletes an array of such names.
 template <auto Delete>
 class Handle {
-  public:
+public:
     Handle() = default;
     /// Adopts `name`.
     Handle(const Functions& gl, GLuint name) : gl_(&gl), name_(name) {}
@@ -30,7 +30,7 @@ class Handle {
     GLuint name() const { return name_; }
     explicit operator bool() const { return name_ != 0; }
 
-  private:
+private:
     const Functions* gl_ = nullptr;
     GLuint name_ = 0;
 };

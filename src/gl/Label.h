@@ -15,7 +15,7 @@ inline void label(const Functions& gl, GLenum kind, GLuint name, const std::stri
 
 /// Groups the commands of its scope under a name for debuggers.
 class DebugGroup {
-  public:
+public:
     DebugGroup(const Functions& gl, const char* name) : gl_(gl) {
         if (gl_.capabilities.debug) {
             gl_.PushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, -1, name);
@@ -29,7 +29,7 @@ class DebugGroup {
     DebugGroup(const DebugGroup&) = delete;
     DebugGroup& operator=(const DebugGroup&) = delete;
 
-  private:
+private:
     const Functions& gl_;
 };
 

@@ -15,7 +15,9 @@ PixelReadback& PixelReadback::operator=(PixelReadback&& other) noexcept {
     return *this;
 }
 
-PixelReadback::~PixelReadback() { cancel(); }
+PixelReadback::~PixelReadback() {
+    cancel();
+}
 
 Result<PixelReadback> PixelReadback::create(const Functions& gl, std::size_t bytes,
                                             const std::string& label) {

@@ -12,7 +12,7 @@ namespace aolib::gl {
 
 /// Reads a small picture back without making anyone wait: a pixel buffer and a fence.
 class PixelReadback {
-  public:
+public:
     PixelReadback() = default;
     PixelReadback(PixelReadback&& other) noexcept;
     PixelReadback& operator=(PixelReadback&& other) noexcept;
@@ -31,7 +31,7 @@ class PixelReadback {
     /// Forgets what was started.
     void cancel();
 
-  private:
+private:
     const Functions* gl_ = nullptr;
     Buffer buffer_;
     GLsync fence_ = nullptr;

@@ -1,5 +1,6 @@
 #include "gl/RenderToTexture2D.h"
 
+#include <algorithm>
 #include <array>
 
 #include "gl/Label.h"
@@ -7,6 +8,8 @@
 namespace aolib::gl {
 
 namespace {
+
+constexpr int kMaxTargets = 8;
 
 struct TexelFormat {
     GLenum internalFormat;
@@ -51,6 +54,10 @@ TexelFormat texelFormat(RenderToTexture2D::Depth depth) {
     switch (depth) {
     case Depth::None:
         return {};
+    case Depth::Depth16:
+        return {GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT, 2};
+    case Depth::Depth32:
+        return {GL_DEPTH_COMPONENT32, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, 4};
     case Depth::Depth24:
         return {GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, 4};
     case Depth::Depth32F:
@@ -109,7 +116,8 @@ Result<RenderToTexture2D> RenderToTexture2D::create(const Functions& gl, const S
     if (settings.width < 1 || settings.height < 1 ||
         settings.width > gl.capabilities.maxTextureSize ||
         settings.height > gl.capabilities.maxTextureSize ||
-        static_cast<int>(settings.targets.size()) > gl.capabilities.maxDrawBuffers) {
+        static_cast<int>(settings.targets.size()) >
+            std::min(gl.capabilities.maxDrawBuffers, kMaxTargets)) {
         return Status(StatusCode::MissingCapability,
                       settings.label + ": " + std::to_string(settings.targets.size()) +
                           " targets of " + std::to_string(settings.width) + " x " +
@@ -128,18 +136,18 @@ Result<RenderToTexture2D> RenderToTexture2D::create(const Functions& gl, const S
     gl::label(gl, GL_FRAMEBUFFER, rtt.framebuffer_.name(), settings.label);
     for (std::size_t i = 0; i < settings.targets.size(); ++i) {
         const TexelFormat texel = texelFormat(settings.targets[i]);
-        if (Status status = rtt.addTexture(rtt.textures_.emplace_back(),
-                                           GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i),
-                                           texel.internalFormat, texel.format, texel.type,
-                                           settings.label + "/" + std::to_string(i));
+        if (Status status =
+                rtt.addTexture(rtt.textures_.emplace_back(),
+                               GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i), texel.internalFormat,
+                               texel.format, texel.type, settings.label + "/" + std::to_string(i));
             !status) {
             return status;
         }
     }
     if (settings.depth != Depth::None) {
         const TexelFormat texel = texelFormat(settings.depth);
-        const GLenum attachment = hasStencil(settings.depth) ? GL_DEPTH_STENCIL_ATTACHMENT
-                                                             : GL_DEPTH_ATTACHMENT;
+        const GLenum attachment =
+            hasStencil(settings.depth) ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT;
         if (Status status = rtt.addTexture(rtt.depth_, attachment, texel.internalFormat,
                                            texel.format, texel.type, settings.label + "/depth");
             !status) {
@@ -153,8 +161,9 @@ Result<RenderToTexture2D> RenderToTexture2D::create(const Functions& gl, const S
     if (const GLenum state = gl.CheckFramebufferStatus(GL_FRAMEBUFFER);
         state != GL_FRAMEBUFFER_COMPLETE) {
         return Status(StatusCode::MissingCapability,
-                      settings.label + ": this driver cannot render to these formats (framebuffer "
-                                       "status " +
+                      settings.label +
+                          ": this driver cannot render to these formats (framebuffer "
+                          "status " +
                           std::to_string(state) + ")");
     }
     return rtt;
@@ -167,7 +176,7 @@ void RenderToTexture2D::begin(int target) const {
 }
 
 void RenderToTexture2D::beginAll() const {
-    std::array<GLenum, 8> buffers{};
+    std::array<GLenum, kMaxTargets> buffers{};
     const std::size_t count = textures_.size();
     for (std::size_t i = 0; i < count; ++i) {
         buffers[i] = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i);
@@ -191,10 +200,16 @@ void RenderToTexture2D::bindTexture(int target, int unit) const {
     bindTextureName(textures_[static_cast<std::size_t>(target)].name(), unit);
 }
 
-void RenderToTexture2D::bindDepthTexture(int unit) const { bindTextureName(depth_.name(), unit); }
+void RenderToTexture2D::bindDepthTexture(int unit) const {
+    bindTextureName(depth_.name(), unit);
+}
 
-std::size_t RenderToTexture2D::bytesPerTexel(Format format) { return texelFormat(format).bytes; }
-std::size_t RenderToTexture2D::bytesPerTexel(Depth depth) { return texelFormat(depth).bytes; }
+std::size_t RenderToTexture2D::bytesPerTexel(Format format) {
+    return texelFormat(format).bytes;
+}
+std::size_t RenderToTexture2D::bytesPerTexel(Depth depth) {
+    return texelFormat(depth).bytes;
+}
 
 std::size_t RenderToTexture2D::bytes() const {
     std::size_t perTexel = bytesPerTexel(settings_.depth);

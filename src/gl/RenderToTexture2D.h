@@ -14,7 +14,7 @@ namespace aolib::gl {
 /// Textures of one size that can be rendered to, one or several at a time, with or without a depth
 /// texture (thesis 4.2.2). The enumerations are its own and name no GL type.
 class RenderToTexture2D {
-  public:
+public:
     enum class Format : std::uint8_t {
         R8,
         RG8,
@@ -31,7 +31,15 @@ class RenderToTexture2D {
     };
     enum class Wrap : std::uint8_t { Clamp, Repeat };
     enum class Filter : std::uint8_t { Nearest, Linear };
-    enum class Depth : std::uint8_t { None, Depth24, Depth32F, Depth24Stencil8, Depth32FStencil8 };
+    enum class Depth : std::uint8_t {
+        None,
+        Depth16,
+        Depth24,
+        Depth32,
+        Depth32F,
+        Depth24Stencil8,
+        Depth32FStencil8,
+    };
 
     struct Settings {
         int width = 0;               ///< texels
@@ -49,7 +57,8 @@ class RenderToTexture2D {
     /// Leaves its framebuffer bound. Errors: MissingCapability (size or format), OutOfMemory.
     static Result<RenderToTexture2D> create(const Functions& gl, const Settings& settings);
 
-    /// Directs rendering to one target, or to all of them as locations 0, 1, ...; sets the viewport.
+    /// Directs rendering to one target, or to all of them as locations 0, 1, ...; sets the
+    /// viewport.
     void begin(int target) const;
     void beginAll() const;
     /// Directs reading to one target.
@@ -67,7 +76,7 @@ class RenderToTexture2D {
 
     explicit operator bool() const { return static_cast<bool>(framebuffer_); }
 
-  private:
+private:
     Status addTexture(Texture& texture, GLenum attachment, GLenum internalFormat, GLenum format,
                       GLenum type, const std::string& label);
     void bindTextureName(GLuint name, int unit) const;

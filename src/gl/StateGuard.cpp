@@ -63,7 +63,9 @@ void toggle(const Functions& gl, GLenum name, bool enabled) {
     enabled ? gl.Enable(name) : gl.Disable(name);
 }
 
-bool isAlignment(GLenum name) { return name == GL_PACK_ALIGNMENT || name == GL_UNPACK_ALIGNMENT; }
+bool isAlignment(GLenum name) {
+    return name == GL_PACK_ALIGNMENT || name == GL_UNPACK_ALIGNMENT;
+}
 
 } // namespace
 
@@ -92,6 +94,12 @@ StateGuard::~StateGuard() {
 bool StateGuard::hostSrgb() const {
     return std::any_of(toggles_.begin(), toggles_.end(), [](const Toggle& t) {
         return t.name == GL_FRAMEBUFFER_SRGB && t.enabled == GL_TRUE;
+    });
+}
+
+bool StateGuard::hostScissor() const {
+    return std::any_of(indexedToggles_.begin(), indexedToggles_.end(), [](const IndexedToggle& t) {
+        return t.name == GL_SCISSOR_TEST && t.enabled.front() == GL_TRUE;
     });
 }
 

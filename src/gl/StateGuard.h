@@ -12,7 +12,7 @@ namespace aolib::gl {
 /// Saved by query, restored to what was found. What it covers is the list of state that aolib's
 /// passes touch or that could alter them; docs/integration.md holds the table.
 class StateGuard {
-  public:
+public:
     /// Texture units 0 ... kTextureUnits - 1 are the only ones that aolib binds to.
     static constexpr int kTextureUnits = 8;
 
@@ -25,8 +25,10 @@ class StateGuard {
     /// x, y, width, height of viewport 0, pixels, rounded as GL rounds it.
     const std::array<GLint, 4>& hostViewport() const { return viewport_; }
     bool hostSrgb() const;
+    /// Of viewport 0.
+    bool hostScissor() const;
 
-  private:
+private:
     struct Toggle {
         GLenum name;
         GLboolean enabled;

@@ -12,7 +12,7 @@ namespace aolib::gl {
 
 /// Vertices in GPU memory, ready to draw: positions at location 0, normals (if any) at location 1.
 class VertexArray {
-  public:
+public:
     VertexArray() = default;
     /// No vertices at all: for passes that make theirs from gl_VertexID. Errors: OutOfMemory.
     static Result<VertexArray> createEmpty(const Functions& gl, const std::string& label);
@@ -33,7 +33,7 @@ class VertexArray {
     bool hasNormals() const { return normals_.bytes() != 0; }
     std::size_t bytes() const { return positions_.bytes() + normals_.bytes() + indices_.bytes(); }
 
-  private:
+private:
     const Functions* gl_ = nullptr;
     VertexArrayName name_;
     Buffer positions_;

@@ -1,6 +1,7 @@
 #include "scene/Mesh.h"
 
 #include <cmath>
+#include <sstream>
 #include <string>
 
 namespace aolib {
@@ -8,7 +9,9 @@ namespace aolib {
 namespace {
 
 std::string text(const glm::vec3& v) {
-    return "(" + std::to_string(v.x) + ", " + std::to_string(v.y) + ", " + std::to_string(v.z) + ")";
+    std::ostringstream out;
+    out << '(' << v.x << ", " << v.y << ", " << v.z << ')';
+    return out.str();
 }
 
 } // namespace
@@ -21,9 +24,9 @@ Status checkTransform(const glm::mat4& transform) {
     for (int column = 0; column < 4; ++column) {
         for (int row = 0; row < 4; ++row) {
             if (!std::isfinite(transform[column][row])) {
-                return {StatusCode::InvalidPosition,
-                        "the transform's element in column " + std::to_string(column) + ", row " +
-                            std::to_string(row) + " is not finite"};
+                return {StatusCode::InvalidPosition, "the transform's element in column " +
+                                                         std::to_string(column) + ", row " +
+                                                         std::to_string(row) + " is not finite"};
             }
         }
     }
@@ -38,15 +41,14 @@ Result<Mesh> makeMesh(const MeshData& data) {
                                                  std::to_string(data.indices.size()) + " indices");
     }
     if (data.indices.size() % 3 != 0) {
-        return Status(StatusCode::IncompletePrimitive,
-                      "triangles need three indices each; " + std::to_string(data.indices.size()) +
-                          " is no multiple of three");
+        return Status(StatusCode::IncompletePrimitive, "triangles need three indices each; " +
+                                                           std::to_string(data.indices.size()) +
+                                                           " is no multiple of three");
     }
     if (!data.normals.empty() && data.normals.size() != data.positions.size()) {
-        return Status(StatusCode::InvalidNormal, std::to_string(data.normals.size()) +
-                                                     " normals for " +
-                                                     std::to_string(data.positions.size()) +
-                                                     " positions");
+        return Status(StatusCode::InvalidNormal,
+                      std::to_string(data.normals.size()) + " normals for " +
+                          std::to_string(data.positions.size()) + " positions");
     }
     if (Status status = checkTransform(data.transform); !status) {
         return status;
@@ -54,8 +56,8 @@ Result<Mesh> makeMesh(const MeshData& data) {
     Mesh mesh;
     for (std::size_t i = 0; i < data.positions.size(); ++i) {
         if (!isFinite(data.positions[i])) {
-            return Status(StatusCode::InvalidPosition, "position " + std::to_string(i) + " is " +
-                                                           text(data.positions[i]));
+            return Status(StatusCode::InvalidPosition,
+                          "position " + std::to_string(i) + " is " + text(data.positions[i]));
         }
         mesh.modelBounds.include(data.positions[i]);
     }

@@ -151,6 +151,8 @@ Scene::Clearance Scene::clearance(const glm::vec3& from) const {
     return best;
 }
 
-std::vector<Scene::Change> Scene::takeChanges() { return std::exchange(changes_, {}); }
+std::vector<Scene::Change> Scene::takeChanges() {
+    return std::exchange(changes_, {});
+}
 
 } // namespace aolib

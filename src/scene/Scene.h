@@ -11,7 +11,7 @@ namespace aolib {
 
 /// The meshes that occlude, by id, and a journal of what changed since a backbone last looked.
 class Scene {
-  public:
+public:
     MeshId add(Mesh mesh);
     /// Errors: UnknownMesh.
     Status replace(MeshId id, Mesh mesh);
@@ -23,7 +23,8 @@ class Scene {
     std::size_t triangleCount() const;
     /// World bounds of all meshes.
     const Bounds& bounds() const { return bounds_; }
-    /// Distance to the nearest triangle and the direction away from it; for an empty scene infinite.
+    /// Distance to the nearest triangle and the direction away from it; for an empty scene
+    /// infinite.
     struct Clearance {
         float distance;
         glm::vec3 away; ///< unit vector from the nearest point towards `from`, or its normal
@@ -39,7 +40,7 @@ class Scene {
     /// The changes since the last call, oldest first.
     std::vector<Change> takeChanges();
 
-  private:
+private:
     Status unknown(MeshId id) const;
     void update();
 

@@ -36,9 +36,8 @@ Status SceneBuilder::normal(const glm::vec3& normal) {
                                     "before the first vertex");
     }
     if (!isFinite(normal)) {
-        return fail({StatusCode::InvalidNormal, "normal of vertex " +
-                                                    std::to_string(positions_.size()) +
-                                                    " is not finite"});
+        return fail({StatusCode::InvalidNormal,
+                     "normal of vertex " + std::to_string(positions_.size()) + " is not finite"});
     }
     currentNormal_ = normal;
     hasNormal_ = true;
@@ -79,10 +78,9 @@ Status SceneBuilder::index(std::uint32_t index) {
         return refuse("aoVertexIndex", "call it between aoBegin and aoEnd");
     }
     if (index >= positions_.size()) {
-        return fail({StatusCode::InvalidIndex, "index " + std::to_string(index) +
-                                                   " names no vertex; " +
-                                                   std::to_string(positions_.size()) +
-                                                   " vertices were given"});
+        return fail({StatusCode::InvalidIndex,
+                     "index " + std::to_string(index) + " names no vertex; " +
+                         std::to_string(positions_.size()) + " vertices were given"});
     }
     run_.push_back(index);
     return {};

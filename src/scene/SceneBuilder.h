@@ -14,7 +14,7 @@ namespace aolib {
 /// A call out of order is refused and changes nothing. Invalid data is refused and remembered:
 /// since later indices would then name the wrong vertices, end() drops the mesh with that error.
 class SceneBuilder {
-  public:
+public:
     Status begin();
     Status normal(const glm::vec3& normal);
     Status vertex(const glm::vec3& position);
@@ -23,7 +23,7 @@ class SceneBuilder {
     Status endRun();
     Result<Mesh> end();
 
-  private:
+private:
     enum class State : std::uint8_t { Idle, Mesh, Run };
 
     Status refuse(const char* call, const char* instead) const;

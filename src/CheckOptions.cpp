@@ -1,0 +1,54 @@
+#include "CheckOptions.h"
+
+#include <algorithm>
+#include <sstream>
+#include <string_view>
+
+#include <aolib/OptionFields.h>
+
+namespace aolib {
+
+namespace {
+
+/// Visits the options and keeps the first fault.
+struct Checker {
+    Status status;
+
+    template <typename Number>
+    void operator()(std::string_view name, const Number& value, OptionRange range,
+                    std::string_view /*help*/) {
+        const auto number = static_cast<double>(value);
+        if (status && !(number >= range.min && number <= range.max)) {
+            std::ostringstream text;
+            text << name << " is " << value << "; it must be " << range.min << " to " << range.max;
+            status = Status(StatusCode::InvalidOption, text.str());
+        }
+    }
+
+    void operator()(std::string_view /*name*/, const bool& /*value*/, std::string_view /*help*/) {}
+
+    template <typename E, std::size_t N>
+    void operator()(std::string_view name, const E& value,
+                    const std::array<OptionChoice<E>, N>& choices, std::string_view /*help*/) {
+        const bool known = std::any_of(choices.begin(), choices.end(),
+                                       [&](const auto& choice) { return choice.value == value; });
+        if (status && !known) {
+            status = Status(StatusCode::InvalidOption,
+                            std::string(name) + " holds a value that names no choice");
+        }
+    }
+};
+
+} // namespace
+
+Status checkOptions(const Options& options) {
+    Checker checker;
+    visitOptions(options, checker);
+    if (checker.status && options.blur.size % 2 == 0) {
+        return {StatusCode::InvalidOption,
+                "blur-size is " + std::to_string(options.blur.size) + "; it must be odd"};
+    }
+    return checker.status;
+}
+
+} // namespace aolib

@@ -1,0 +1,128 @@
+#include "backbone/AbstractBackbone.h"
+
+#include <cmath>
+#include <string>
+
+#include "backbone/ShaderLibrary.h"
+
+namespace aolib {
+
+namespace {
+
+/// Share of the scene's diagonal that a derived radius has (thesis 4.3.2 derives likewise).
+constexpr float kRadiusShare = 0.1F;
+/// Change of the scene's size, as a factor, from which a derived radius follows.
+constexpr float kRadiusSlack = 1.25F;
+
+Status keepsNoCubeMaps() {
+    return {
+        StatusCode::InvalidCallOrder,
+        "this backbone keeps no cube maps; set Options::backbone to Backbone::Cubemapped first"};
+}
+
+} // namespace
+
+Status AbstractBackbone::initialise() {
+    auto geometry = GeometryBuffer::create(context_);
+    if (!geometry) {
+        return geometry.status();
+    }
+    geometry_ = std::move(*geometry);
+    auto blur = Blur::create(context_);
+    if (!blur) {
+        return blur.status();
+    }
+    blur_ = std::move(*blur);
+    auto composite = Composite::create(context_);
+    if (!composite) {
+        return composite.status();
+    }
+    composite_ = std::move(*composite);
+    auto timer = gl::GpuTimer::create(context_.gl);
+    if (!timer) {
+        return timer.status();
+    }
+    timer_ = std::move(*timer);
+    return {};
+}
+
+Status AbstractBackbone::drawEnd(Frame& frame) {
+    timer_.begin();
+    if (Status status = geometry_.update(context_, frame); !status) {
+        return status;
+    }
+    if (!visibility_ || visibility_.width() != frame.size.x ||
+        visibility_.height() != frame.size.y) {
+        auto created = gl::RenderToTexture2D::create(
+            context_.gl, {.width = frame.size.x,
+                          .height = frame.size.y,
+                          .targets = {gl::RenderToTexture2D::Format::RG16F},
+                          .label = "aolib/frame/visibility"});
+        if (!created) {
+            return created.status();
+        }
+        visibility_ = std::move(*created);
+    }
+    const auto projected = computeVisibility(frame);
+    if (!projected) {
+        return projected.status();
+    }
+    visibility_.begin(0);
+    blur_.apply(context_, frame, geometry_, **projected);
+    composite_.apply(context_, frame, {geometry_, visibility_, **projected, radius()});
+    const Status finished = finishFrame(frame);
+    timer_.end();
+    ++frame_;
+    return finished;
+}
+
+Result<CubeMapId> AbstractBackbone::addCubeMap(const glm::vec3& /*position*/) {
+    return keepsNoCubeMaps();
+}
+Status AbstractBackbone::removeCubeMap(CubeMapId /*id*/) {
+    return keepsNoCubeMaps();
+}
+Status AbstractBackbone::clear() {
+    return {};
+}
+Result<CubeMapImage> AbstractBackbone::readCubeMap(CubeMapId /*id*/) {
+    return keepsNoCubeMaps();
+}
+
+Result<VisibilityImage> AbstractBackbone::readVisibility() {
+    if (frame_ == 0 || !visibility_) {
+        return Status(StatusCode::InvalidCallOrder,
+                      "there is no frame to read yet; end one with aoDrawEnd first");
+    }
+    VisibilityImage image{visibility_.width(), visibility_.height(), {}};
+    image.visibility.resize(static_cast<std::size_t>(image.width) *
+                            static_cast<std::size_t>(image.height));
+    visibility_.beginRead(0);
+    context_.gl.ReadPixels(0, 0, image.width, image.height, GL_RED, GL_FLOAT,
+                           image.visibility.data());
+    return image;
+}
+
+Statistics AbstractBackbone::statistics() {
+    Statistics statistics;
+    statistics.frame = frame_;
+    statistics.frameGpuMs = timer_.milliseconds();
+    statistics.bytesFrame = geometry_.bytes() + (visibility_ ? visibility_.bytes() : 0);
+    addStatistics(statistics);
+    return statistics;
+}
+
+float AbstractBackbone::radius() {
+    if (context_.options.radius > 0.0F) {
+        return context_.options.radius;
+    }
+    const float size = context_.scene.bounds().diagonal();
+    const bool follow = derivedFrom_ <= 0.0F || size > derivedFrom_ * kRadiusSlack ||
+                        size < derivedFrom_ / kRadiusSlack;
+    if (follow) {
+        derivedFrom_ = size;
+    }
+    return derivedFrom_ > 0.0F ? kRadiusShare * derivedFrom_ : 1.0F;
+}
+
+} // namespace aolib

@@ -1,0 +1,53 @@
+#include "backbone/GeometryBuffer.h"
+
+#include "backbone/ShaderLibrary.h"
+#include "gl/Label.h"
+
+namespace aolib {
+
+Result<GeometryBuffer> GeometryBuffer::create(const BackboneContext& context) {
+    auto shader = buildShader(context.gl, "fullscreen.vert", "frame/geometry_buffer.frag");
+    if (!shader) {
+        return shader.status();
+    }
+    GeometryBuffer buffer;
+    buffer.shader_ = std::move(*shader);
+    return buffer;
+}
+
+Status GeometryBuffer::update(const BackboneContext& context, Frame& frame) {
+    using Format = gl::RenderToTexture2D::Format;
+    const gl::DebugGroup group(context.gl, "aolib: geometry buffer");
+    if (Status status = host_.acquire(context.gl, frame); !status) {
+        return status;
+    }
+    if (!target_ || target_.width() != frame.size.x || target_.height() != frame.size.y) {
+        auto created =
+            gl::RenderToTexture2D::create(context.gl, {.width = frame.size.x,
+                                                       .height = frame.size.y,
+                                                       .targets = {Format::R32F, Format::RG16F},
+                                                       .label = "aolib/frame/geometry"});
+        if (!created) {
+            return created.status();
+        }
+        target_ = std::move(*created);
+    }
+    target_.beginAll();
+    host_.bindDepth(0);
+    shader_.bind();
+    shader_.set("uDepth", 0);
+    frame.camera.setUniforms(shader_, frame.size, frame.clip);
+    context.generated.drawFullscreen();
+    return {};
+}
+
+void GeometryBuffer::bind(gl::GLSLShader& shader, const Frame& frame, int depthUnit,
+                          int normalUnit) const {
+    target_.bindTexture(0, depthUnit);
+    target_.bindTexture(1, normalUnit);
+    shader.set("uLinearDepth", depthUnit);
+    shader.set("uNormal", normalUnit);
+    frame.camera.setUniforms(shader, frame.size, frame.clip);
+}
+
+} // namespace aolib

@@ -1,0 +1,107 @@
+#include "backbone/HostFramebuffer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace aolib {
+
+namespace {
+
+using Depth = gl::RenderToTexture2D::Depth;
+
+struct HostDepth {
+    GLint bits = 0;
+    GLint stencilBits = 0;
+    bool floating = false;
+};
+
+GLint attachmentValue(const gl::Functions& gl, GLenum attachment, GLenum name) {
+    GLint value = 0;
+    gl.GetFramebufferAttachmentParameteriv(GL_READ_FRAMEBUFFER, attachment, name, &value);
+    return value;
+}
+
+bool hasAttachment(const gl::Functions& gl, GLenum attachment) {
+    return attachmentValue(gl, attachment, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_NONE;
+}
+
+/// Formats of the depth and stencil of the framebuffer bound for reading.
+HostDepth hostDepth(const gl::Functions& gl, bool isDefault) {
+    const GLenum depth = isDefault ? GL_DEPTH : GL_DEPTH_ATTACHMENT;
+    const GLenum stencil = isDefault ? GL_STENCIL : GL_STENCIL_ATTACHMENT;
+    HostDepth found;
+    if (hasAttachment(gl, depth)) {
+        found.bits = attachmentValue(gl, depth, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE);
+        found.floating = attachmentValue(gl, depth, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) ==
+                         static_cast<GLint>(GL_FLOAT);
+    }
+    if (hasAttachment(gl, stencil)) {
+        found.stencilBits = attachmentValue(gl, stencil, GL_FRAMEBUFFER_ATTACHMENT_STENCIL_SIZE);
+    }
+    return found;
+}
+
+/// A texture format to which the depth can be resolved: it must match.
+Depth matching(const HostDepth& host) {
+    if (host.floating) {
+        return host.stencilBits > 0 ? Depth::Depth32FStencil8 : Depth::Depth32F;
+    }
+    if (host.bits <= 16) {
+        return Depth::Depth16;
+    }
+    if (host.bits > 24) {
+        return Depth::Depth32;
+    }
+    return host.stencilBits > 0 ? Depth::Depth24Stencil8 : Depth::Depth24;
+}
+
+} // namespace
+
+Status HostFramebuffer::acquire(const gl::Functions& gl, Frame& frame) {
+    gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, frame.framebuffer);
+    gl.BindFramebuffer(GL_READ_FRAMEBUFFER, frame.framebuffer);
+    if (const GLenum state = gl.CheckFramebufferStatus(GL_READ_FRAMEBUFFER);
+        state != GL_FRAMEBUFFER_COMPLETE) {
+        return {StatusCode::InvalidFramebuffer,
+                "the host's framebuffer " + std::to_string(frame.framebuffer) +
+                    " is incomplete (status " + std::to_string(state) + ")"};
+    }
+    const HostDepth host = hostDepth(gl, frame.framebuffer == 0);
+    if (host.bits == 0) {
+        return {StatusCode::InvalidFramebuffer, "the host's framebuffer " +
+                                                    std::to_string(frame.framebuffer) +
+                                                    " has no depth buffer"};
+    }
+    GLint samples = 0;
+    gl.GetIntegerv(GL_SAMPLES, &samples);
+    frame.clip.depthQuantum = std::exp2(-std::min(24, host.bits));
+    const Depth format = matching(host);
+    if (!depth_ || format != format_ || depth_.width() != frame.size.x ||
+        depth_.height() != frame.size.y) {
+        auto created = gl::RenderToTexture2D::create(gl, {.width = frame.size.x,
+                                                          .height = frame.size.y,
+                                                          .targets = {},
+                                                          .depth = format,
+                                                          .label = "aolib/frame/depth"});
+        if (!created) {
+            return created.status();
+        }
+        depth_ = std::move(*created);
+        format_ = format;
+        gl.BindFramebuffer(GL_READ_FRAMEBUFFER, frame.framebuffer);
+    }
+    const glm::ivec2 o = frame.origin;
+    const glm::ivec2 s = frame.size;
+    if (samples > 0) {
+        depth_.beginAll();
+        gl.BlitFramebuffer(o.x, o.y, o.x + s.x, o.y + s.y, 0, 0, s.x, s.y, GL_DEPTH_BUFFER_BIT,
+                           GL_NEAREST);
+    } else {
+        depth_.bindDepthTexture(0);
+        gl.CopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, o.x, o.y, s.x, s.y);
+    }
+    return {};
+}
+
+} // namespace aolib

@@ -1,0 +1,63 @@
+#include "backbone/cubemapped/CubeMapOutlines.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "backbone/Composite.h"
+#include "backbone/ShaderLibrary.h"
+#include "gl/Label.h"
+
+namespace aolib {
+
+namespace {
+
+constexpr int kEdgeVertices = 24;
+/// Half the wire cube's edge as a share of the scene's size.
+constexpr float kHalfEdge = 0.005F;
+constexpr glm::vec3 kColour{0.1F, 0.35F, 1.0F};
+
+} // namespace
+
+Result<CubeMapOutlines> CubeMapOutlines::create(const BackboneContext& context) {
+    auto shader = buildShader(context.gl, "cubemap/outline.vert", "cubemap/outline.frag");
+    if (!shader) {
+        return shader.status();
+    }
+    CubeMapOutlines outlines;
+    outlines.shader_ = std::move(*shader);
+    return outlines;
+}
+
+void CubeMapOutlines::draw(const BackboneContext& context, const Frame& frame,
+                           const std::vector<CubeMapProjector*>& projectors) {
+    const gl::Functions& gl = context.gl;
+    const gl::DebugGroup group(gl, "aolib: cube map outlines");
+    beginHostColours(context, frame);
+    gl.Enable(GL_DEPTH_TEST);
+    gl.DepthFunc(frame.camera.reversedDepth() ? GL_GEQUAL : GL_LEQUAL);
+    gl.DepthMask(GL_FALSE);
+    gl.DepthRange(frame.clip.depthRange[0], frame.clip.depthRange[1]);
+    if (gl.capabilities.clipControl) {
+        gl.ClipControl(frame.clip.upperLeft ? GL_UPPER_LEFT : GL_LOWER_LEFT,
+                       frame.clip.zeroToOne ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE);
+    }
+    shader_.bind();
+    shader_.set("uHalfEdge", kHalfEdge * context.scene.bounds().diagonal());
+    shader_.set("uColour", kColour);
+    const glm::dmat4 eyeToClip =
+        frame.camera.projection() * glm::dmat4(glm::inverse(frame.camera.eyeToWorld()));
+    for (const CubeMapProjector* projector : projectors) {
+        const glm::dvec3 offset = glm::dvec3(projector->position()) - frame.camera.eye();
+        shader_.set("uCubeToClip", glm::mat4(eyeToClip * glm::translate(glm::dmat4(1.0), offset)));
+        context.generated.drawGenerated(GL_LINES, kEdgeVertices);
+    }
+    if (gl.capabilities.clipControl) {
+        gl.ClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+    }
+    gl.DepthRange(0.0, 1.0);
+    gl.DepthMask(GL_TRUE);
+    gl.DepthFunc(GL_LESS);
+    gl.Disable(GL_DEPTH_TEST);
+    endHostColours(context);
+}
+
+} // namespace aolib

@@ -1,0 +1,74 @@
+#include "backbone/cubemapped/SightTest.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "backbone/ShaderLibrary.h"
+#include "gl/Label.h"
+
+namespace aolib {
+
+namespace {
+
+constexpr int kBoxVertices = 36;
+
+} // namespace
+
+Result<SightTest> SightTest::create(const BackboneContext& context) {
+    auto shader = buildShader(context.gl, "cubemap/sees_box.vert", "cubemap/sees_box.frag");
+    if (!shader) {
+        return shader.status();
+    }
+    SightTest test;
+    test.shader_ = std::move(*shader);
+    return test;
+}
+
+bool SightTest::sees(const BackboneContext& context, const CubeMapProjector& projector,
+                     const Bounds& region) {
+    const gl::Functions& gl = context.gl;
+    const gl::DebugGroup group(gl, "aolib: does a cube map see a change");
+    const glm::vec3 centre = projector.position();
+    if (region.empty()) {
+        return false;
+    }
+    const float nearest = glm::distance(centre, glm::clamp(centre, region.min, region.max));
+    GLint running = 0;
+    gl.GetQueryiv(GL_ANY_SAMPLES_PASSED, GL_CURRENT_QUERY, &running);
+    // Inside the region, or while the host's own query of this kind runs: no need, or no way, to
+    // ask.
+    if (nearest <= 0.0F || running != 0) {
+        return true;
+    }
+    auto target = gl::RenderToTexture2D::create(gl, {.width = projector.faceSize(),
+                                                     .height = projector.faceSize(),
+                                                     .targets = {gl::RenderToTexture2D::Format::R8},
+                                                     .label = "aolib/sight"});
+    const auto query = gl::generate<gl::Query>(gl, &gl::Functions::GenQueries);
+    if (!target || !query) {
+        return true;
+    }
+    const float farthest =
+        glm::length(glm::max(glm::abs(region.min - centre), glm::abs(region.max - centre)));
+    const float near = 0.5F * nearest; // below nearest / sqrt(3), so that no face clips it
+    const float far = 2.0F * farthest;
+    target->begin(0);
+    shader_.bind();
+    projector.bindDistance(shader_, 0);
+    shader_.set("uBoxMin", region.min - centre);
+    shader_.set("uBoxMax", region.max - centre);
+    shader_.set("uDepthMap",
+                glm::vec2((far + near) / (far - near), -2.0F * far * near / (far - near)));
+    gl.BeginQuery(GL_ANY_SAMPLES_PASSED, query.name());
+    for (int face = 0; face < kFaces; ++face) {
+        shader_.set("uFace", face);
+        shader_.set("uCubeToFace", cubeToFace(face));
+        context.generated.drawGenerated(GL_TRIANGLES, kBoxVertices);
+    }
+    gl.EndQuery(GL_ANY_SAMPLES_PASSED);
+    GLint seen = GL_TRUE;
+    gl.GetQueryObjectiv(query.name(), GL_QUERY_RESULT, &seen);
+    return seen != GL_FALSE;
+}
+
+} // namespace aolib

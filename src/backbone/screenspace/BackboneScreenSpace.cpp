@@ -1,0 +1,67 @@
+#include "backbone/screenspace/BackboneScreenSpace.h"
+
+#include <string>
+
+#include "backbone/Estimators.h"
+#include "backbone/ShaderLibrary.h"
+#include "gl/Label.h"
+
+namespace aolib {
+
+Result<std::unique_ptr<AbstractBackbone>>
+BackboneScreenSpace::create(const BackboneContext& context) {
+    std::unique_ptr<BackboneScreenSpace> backbone(new BackboneScreenSpace(context));
+    if (Status status = backbone->initialise(); !status) {
+        return status;
+    }
+    if (Status status = backbone->chooseEstimator(); !status) {
+        return status;
+    }
+    return std::unique_ptr<AbstractBackbone>(std::move(backbone));
+}
+
+Status BackboneScreenSpace::chooseEstimator() {
+    const Estimator estimator = context_.options.estimator;
+    auto shader =
+        buildShader(context_.gl, "fullscreen.vert",
+                    "screenspace/visibility_" + std::string(estimatorShader(estimator)) + ".frag");
+    if (shader) {
+        shader_ = std::move(*shader);
+        estimator_ = estimator;
+    }
+    return shader.status();
+}
+
+Result<const gl::RenderToTexture2D*> BackboneScreenSpace::computeVisibility(const Frame& frame) {
+    const gl::DebugGroup group(context_.gl, "aolib: screen-space visibility");
+    if (!target_ || target_.width() != frame.size.x || target_.height() != frame.size.y) {
+        auto created = gl::RenderToTexture2D::create(
+            context_.gl, {.width = frame.size.x,
+                          .height = frame.size.y,
+                          .targets = {gl::RenderToTexture2D::Format::RG16F},
+                          .label = "aolib/screenspace/visibility"});
+        if (!created) {
+            return created.status();
+        }
+        target_ = std::move(*created);
+    }
+    if (estimator_ != context_.options.estimator) {
+        if (Status status = chooseEstimator(); !status) {
+            return status;
+        }
+    }
+    target_.begin(0);
+    shader_.bind();
+    geometry_.bind(shader_, frame, 0, 1);
+    setEstimatorUniforms(shader_, context_.options, radius());
+    context_.generated.drawFullscreen();
+    return &target_;
+}
+
+void BackboneScreenSpace::addStatistics(Statistics& statistics) {
+    statistics.coverage = 1.0F;
+    statistics.coverageFrame = statistics.frame;
+    statistics.bytesFrame += target_ ? target_.bytes() : 0;
+}
+
+} // namespace aolib

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <memory>
+
+#include "backbone/AbstractBackbone.h"
+
+namespace aolib {
+
+/// The estimator on the host's own view, every frame, nothing kept: the comparator and the
+/// fallback.
+class BackboneScreenSpace final : public AbstractBackbone {
+public:
+    /// Errors: ShaderError, OutOfMemory.
+    static Result<std::unique_ptr<AbstractBackbone>> create(const BackboneContext& context);
+
+    void optionsChanged(const Options& /*before*/) override {}
+
+private:
+    using AbstractBackbone::AbstractBackbone;
+    Result<const gl::RenderToTexture2D*> computeVisibility(const Frame& frame) override;
+    void addStatistics(Statistics& statistics) override;
+
+    Status chooseEstimator();
+
+    gl::GLSLShader shader_;
+    Estimator estimator_{}; ///< that `shader_` was built for
+    gl::RenderToTexture2D target_;
+};
+
+} // namespace aolib

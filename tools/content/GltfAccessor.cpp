@@ -1,0 +1,258 @@
+#include "content/GltfAccessor.h"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <string>
+#include <type_traits>
+
+namespace aolib {
+namespace {
+
+/// Accessors without a buffer view are zeros and cost no bytes in the file; beyond this they are
+/// taken for damage.
+constexpr std::size_t mostImplicitElements = std::size_t{1} << 24;
+
+/// Bytes of a buffer that are known to hold `count` elements.
+struct ByteRun {
+    const char* first = nullptr;
+    std::size_t stride = 0;
+};
+
+class AccessorReader {
+  public:
+    AccessorReader(const GltfDocument& document, int index) : document_(document), index_(index) {}
+
+    Loaded<std::vector<glm::vec3>> vectors() const;
+    Loaded<std::vector<std::uint32_t>> indices() const;
+
+  private:
+    LoadError failure(const std::string& reason) const {
+        return LoadError{document_.name + ": accessor " + std::to_string(index_) + " " + reason};
+    }
+    const tinygltf::Accessor* find() const;
+    Loaded<ByteRun> locate(std::int64_t view, std::uint64_t offset, std::size_t count,
+                           std::size_t elementSize) const;
+    Loaded<std::vector<std::uint32_t>> sparseIndices(const tinygltf::Accessor& accessor) const;
+
+    const GltfDocument& document_;
+    int index_;
+};
+
+template <typename T>
+T load(const char* bytes) {
+    T value{};
+    std::memcpy(&value, bytes, sizeof(T));
+    return value;
+}
+
+template <typename T>
+float toFloat(const char* bytes, bool normalised) {
+    const auto value = static_cast<float>(load<T>(bytes));
+    if constexpr (std::is_integral_v<T>) {
+        if (normalised) {
+            return std::max(value / static_cast<float>(std::numeric_limits<T>::max()), -1.0F);
+        }
+    }
+    return value;
+}
+
+std::size_t componentSize(int type) {
+    switch (type) {
+    case TINYGLTF_COMPONENT_TYPE_BYTE:
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+        return 1;
+    case TINYGLTF_COMPONENT_TYPE_SHORT:
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+        return 2;
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+    case TINYGLTF_COMPONENT_TYPE_FLOAT:
+        return 4;
+    default:
+        return 0;
+    }
+}
+
+float readComponent(const char* bytes, int type, bool normalised) {
+    switch (type) {
+    case TINYGLTF_COMPONENT_TYPE_BYTE:
+        return toFloat<std::int8_t>(bytes, normalised);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+        return toFloat<std::uint8_t>(bytes, normalised);
+    case TINYGLTF_COMPONENT_TYPE_SHORT:
+        return toFloat<std::int16_t>(bytes, normalised);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+        return toFloat<std::uint16_t>(bytes, normalised);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+        return toFloat<std::uint32_t>(bytes, normalised);
+    default:
+        return load<float>(bytes);
+    }
+}
+
+std::uint32_t readIndex(const char* bytes, int type) {
+    switch (type) {
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+        return load<std::uint8_t>(bytes);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+        return load<std::uint16_t>(bytes);
+    default:
+        return load<std::uint32_t>(bytes);
+    }
+}
+
+bool isIndexType(int type) {
+    return type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
+           type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
+           type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
+}
+
+glm::vec3 readVector(const char* bytes, int type, bool normalised) {
+    const std::size_t size = componentSize(type);
+    return {readComponent(bytes, type, normalised), readComponent(bytes + size, type, normalised),
+            readComponent(bytes + 2 * size, type, normalised)};
+}
+
+const tinygltf::Accessor* AccessorReader::find() const {
+    const auto& accessors = document_.structure.accessors;
+    return index_ >= 0 && static_cast<std::size_t>(index_) < accessors.size()
+               ? &accessors[static_cast<std::size_t>(index_)]
+               : nullptr;
+}
+
+Loaded<ByteRun> AccessorReader::locate(std::int64_t view, std::uint64_t offset, std::size_t count,
+                                       std::size_t elementSize) const {
+    const auto& views = document_.structure.bufferViews;
+    if (view < 0 || static_cast<std::size_t>(view) >= views.size()) {
+        return failure("names buffer view " + std::to_string(view) + ", which does not exist");
+    }
+    const tinygltf::BufferView& bytes = views[static_cast<std::size_t>(view)];
+    if (bytes.buffer < 0 || static_cast<std::size_t>(bytes.buffer) >= document_.buffers.size()) {
+        return failure("lies in buffer " + std::to_string(bytes.buffer) + ", which does not exist");
+    }
+    const std::string& buffer = document_.buffers[static_cast<std::size_t>(bytes.buffer)];
+    const std::uint64_t start = bytes.byteOffset;
+    const std::uint64_t length = bytes.byteLength;
+    if (start > buffer.size() || length > buffer.size() - start) {
+        return failure("lies in a buffer view that reaches past the end of its buffer");
+    }
+    const std::size_t stride = bytes.byteStride != 0 ? bytes.byteStride : elementSize;
+    if (stride < elementSize) {
+        return failure("has elements wider than their stride");
+    }
+    const bool fits = count == 0 || (offset <= length && elementSize <= length - offset &&
+                                     count - 1 <= (length - offset - elementSize) / stride);
+    if (!fits) {
+        return failure("with " + std::to_string(count) +
+                       " elements reaches past the end of its buffer view");
+    }
+    return ByteRun{count == 0 ? buffer.data() : buffer.data() + start + offset, stride};
+}
+
+Loaded<std::vector<std::uint32_t>>
+AccessorReader::sparseIndices(const tinygltf::Accessor& accessor) const {
+    const int type = accessor.sparse.indices.componentType;
+    if (!isIndexType(type)) {
+        return failure("has sparse indices of an unknown type");
+    }
+    if (accessor.sparse.count < 0 || accessor.sparse.indices.byteOffset < 0 ||
+        accessor.sparse.values.byteOffset < 0) {
+        return failure("has a negative sparse count or offset");
+    }
+    const auto count = static_cast<std::size_t>(accessor.sparse.count);
+    const Loaded<ByteRun> run =
+        locate(accessor.sparse.indices.bufferView,
+               static_cast<std::uint64_t>(accessor.sparse.indices.byteOffset), count,
+               componentSize(type));
+    if (!run) {
+        return run.error();
+    }
+    std::vector<std::uint32_t> result(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        result[i] = readIndex(run->first + i * run->stride, type);
+        if (result[i] >= accessor.count) {
+            return failure("has sparse index " + std::to_string(result[i]) + " of " +
+                           std::to_string(accessor.count) + " elements");
+        }
+    }
+    return result;
+}
+
+Loaded<std::vector<glm::vec3>> AccessorReader::vectors() const {
+    const tinygltf::Accessor* accessor = find();
+    if (accessor == nullptr) {
+        return failure("does not exist");
+    }
+    const int type = accessor->componentType;
+    if (accessor->type != TINYGLTF_TYPE_VEC3 || componentSize(type) == 0) {
+        return failure("does not hold vectors of three numbers");
+    }
+    const std::size_t size = 3 * componentSize(type);
+    std::vector<glm::vec3> result;
+    if (accessor->bufferView >= 0) {
+        const Loaded<ByteRun> run =
+            locate(accessor->bufferView, accessor->byteOffset, accessor->count, size);
+        if (!run) {
+            return run.error();
+        }
+        result.resize(accessor->count);
+        for (std::size_t i = 0; i < result.size(); ++i) {
+            result[i] = readVector(run->first + i * run->stride, type, accessor->normalized);
+        }
+    } else if (accessor->count > mostImplicitElements) {
+        return failure("has " + std::to_string(accessor->count) + " elements without any bytes");
+    } else {
+        result.resize(accessor->count, glm::vec3(0.0F));
+    }
+    if (!accessor->sparse.isSparse) {
+        return result;
+    }
+    const Loaded<std::vector<std::uint32_t>> places = sparseIndices(*accessor);
+    if (!places) {
+        return places.error();
+    }
+    const Loaded<ByteRun> run = locate(
+        accessor->sparse.values.bufferView,
+        static_cast<std::uint64_t>(accessor->sparse.values.byteOffset), places->size(), size);
+    if (!run) {
+        return run.error();
+    }
+    for (std::size_t i = 0; i < places->size(); ++i) {
+        result[(*places)[i]] = readVector(run->first + i * run->stride, type, accessor->normalized);
+    }
+    return result;
+}
+
+Loaded<std::vector<std::uint32_t>> AccessorReader::indices() const {
+    const tinygltf::Accessor* accessor = find();
+    if (accessor == nullptr) {
+        return failure("does not exist");
+    }
+    const int type = accessor->componentType;
+    if (accessor->type != TINYGLTF_TYPE_SCALAR || !isIndexType(type) ||
+        accessor->sparse.isSparse) {
+        return failure("does not hold indices");
+    }
+    const Loaded<ByteRun> run =
+        locate(accessor->bufferView, accessor->byteOffset, accessor->count, componentSize(type));
+    if (!run) {
+        return run.error();
+    }
+    std::vector<std::uint32_t> result(accessor->count);
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        result[i] = readIndex(run->first + i * run->stride, type);
+    }
+    return result;
+}
+
+} // namespace
+
+Loaded<std::vector<glm::vec3>> readVectors(const GltfDocument& document, int accessor) {
+    return AccessorReader(document, accessor).vectors();
+}
+
+Loaded<std::vector<std::uint32_t>> readIndices(const GltfDocument& document, int accessor) {
+    return AccessorReader(document, accessor).indices();
+}
+
+} // namespace aolib

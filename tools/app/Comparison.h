@@ -1,0 +1,26 @@
+#pragma once
+
+#include "app/Outcome.h"
+#include "app/TruthJob.h"
+#include "image/Image.h"
+#include "image/Metrics.h"
+
+namespace aolib::app {
+
+/// The difference of W that difference pictures show in full colour, unless told otherwise.
+inline constexpr float kDifferenceScale = 0.25F;
+
+/// How a rendered picture of W compares with the ray-traced one.
+struct ErrorAgainstTruth {
+    Metrics metrics;
+    double truthNoise = 0.0; ///< expected RMSE of the truth itself
+    int rays = 0;            ///< per pixel, of the truth
+};
+
+/// Errors: Failed, when they cannot be compared: NaN, or no pixel with a surface in both.
+Outcome<ErrorAgainstTruth> compareWithTruth(const FloatImage& visibility, const Truth& truth);
+
+/// Where and how W differs from the truth. Errors: as compareWithTruth().
+Outcome<ByteImage> differenceFromTruth(const FloatImage& visibility, const Truth& truth);
+
+} // namespace aolib::app

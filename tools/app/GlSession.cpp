@@ -1,0 +1,95 @@
+#include "app/GlSession.h"
+
+#include <iostream>
+#include <map>
+#include <utility>
+
+namespace aolib::app {
+
+namespace {
+
+#ifdef NDEBUG
+constexpr bool kDebugBuild = false;
+#else
+constexpr bool kDebugBuild = true;
+#endif
+
+} // namespace
+
+void GlFlags::attach(CLI::App& command) {
+    static const std::map<std::string, ContextRequest::Api> kApis{
+        {"egl", ContextRequest::Api::Egl},
+        {"osmesa", ContextRequest::Api::OsMesa},
+        {"glfw", ContextRequest::Api::Glfw}};
+    static const std::map<std::string, ContextRequest::Profile> kProfiles{
+        {"core", ContextRequest::Profile::Core},
+        {"compatibility", ContextRequest::Profile::Compatibility}};
+    const char* const group = "OpenGL";
+    command
+        .add_option_function<std::string>(
+            "--context", [this](const std::string& name) { api = kApis.at(name); },
+            "where the OpenGL context comes from; without it EGL, else OSMesa")
+        ->check(CLI::IsMember(kApis))
+        ->type_name("egl|osmesa|glfw")
+        ->group(group);
+    command
+        .add_option_function<std::string>(
+            "--profile", [this](const std::string& name) { profile = kProfiles.at(name); },
+            "OpenGL profile")
+        ->check(CLI::IsMember(kProfiles))
+        ->type_name("core|compatibility")
+        ->default_str("core")
+        ->group(group);
+    command
+        .add_flag("--gl-debug", strict,
+                  "take any message of the driver above notification as a failure (exit code 3)")
+        ->group(group);
+}
+
+Outcome<GlSession> GlSession::open(const GlFlags& flags) {
+    ContextRequest request;
+    request.profile = flags.profile;
+    request.debug = flags.strict || kDebugBuild;
+    if (flags.api) {
+        request.api = *flags.api;
+    }
+    Result<std::unique_ptr<GlContext>> context =
+        flags.api ? createContext(request) : createOffscreenContext(request);
+    if (!context) {
+        return graphicsFailure("no OpenGL context: " + context.status().message());
+    }
+    GlSession session;
+    session.context_ = std::move(*context);
+    session.strict_ = flags.strict;
+    if (request.debug) {
+        Result<std::unique_ptr<DebugLog>> log = DebugLog::install(session.loader());
+        if (log) {
+            session.log_ = std::move(*log);
+        } else if (flags.strict) {
+            std::cerr << "aolib: --gl-debug: " << log.status().message()
+                      << "; only failures of aolib itself will show\n";
+        }
+    }
+    Result<gl::Functions> gl = gl::Functions::load(session.loader());
+    if (!gl) {
+        return graphicsFailure(session.describe() + ": " + gl.status().message());
+    }
+    session.gl_ = std::make_unique<gl::Functions>(*gl);
+    return session;
+}
+
+MaybeFailure GlSession::reviewMessages() const {
+    if (!log_ || log_->empty()) {
+        return std::nullopt;
+    }
+    const std::string summary = "the OpenGL driver (" + describe() + ") complained " +
+                                std::to_string(log_->messages().size()) + " times:\n" +
+                                log_->text();
+    if (strict_) {
+        return graphicsFailure(summary);
+    }
+    std::cerr << "aolib: warning: " << summary << '\n';
+    return std::nullopt;
+}
+
+} // namespace aolib::app

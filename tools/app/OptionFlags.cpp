@@ -1,0 +1,157 @@
+#include "app/OptionFlags.h"
+
+#include <limits>
+#include <sstream>
+#include <string_view>
+#include <type_traits>
+
+#include <aolib/OptionFields.h>
+
+namespace aolib::app {
+
+namespace {
+
+const char* const kGroup = "Ambient occlusion";
+
+std::string compact(double value) {
+    std::ostringstream text;
+    text << value;
+    return text.str();
+}
+
+/// "in [16, 4096]", or "at least 0" where there is no upper end worth naming.
+std::string describe(const OptionRange& range) {
+    constexpr double kUnbounded = std::numeric_limits<float>::max();
+    return range.max >= kUnbounded ? "at least " + compact(range.min)
+                                   : "between " + compact(range.min) + " and " + compact(range.max);
+}
+
+[[noreturn]] void reject(const std::string& flag, const std::string& text,
+                         const std::string& wanted) {
+    throw CLI::ValidationError(flag + " " + text + ": " + wanted + " is needed");
+}
+
+/// Adds one flag for each field that visitOptions() shows it.
+class FlagMaker {
+public:
+    using Take = std::function<void(const std::string& name, std::variant<double, Length> value)>;
+
+    FlagMaker(CLI::App& command, Take take) : command_(command), take_(std::move(take)) {}
+
+    template <typename Number>
+    void operator()(std::string_view name, Number& field, OptionRange range,
+                    std::string_view help) const {
+        if (name == "radius") {
+            addLength(std::string(name), std::string(help) + "; 5% = that share of the diagonal");
+            return;
+        }
+        const std::string flag = "--" + std::string(name);
+        const auto parse = [flag, range, take = take_,
+                            key = std::string(name)](const std::string& text) {
+            const std::optional<double> value = parseNumber(text);
+            if (!value || !(*value >= range.min && *value <= range.max)) {
+                reject(flag, text, "a number " + describe(range));
+            }
+            if (std::is_integral_v<Number> &&
+                *value != static_cast<double>(static_cast<long long>(*value))) {
+                reject(flag, text, "a whole number");
+            }
+            take(key, *value);
+        };
+        command_.add_option_function<std::string>(flag, parse, std::string(help))
+            ->type_name(std::is_integral_v<Number> ? "INT" : "NUMBER")
+            ->default_str(compact(static_cast<double>(field)))
+            ->group(kGroup);
+    }
+
+    void operator()(std::string_view name, bool& field, std::string_view help) const {
+        const std::string key(name);
+        const auto set = [take = take_, key](std::int64_t count) {
+            take(key, count > 0 ? 1.0 : 0.0);
+        };
+        command_
+            .add_flag_function("--" + key + ",!--no-" + key, set,
+                               std::string(help) + (field ? "; on by default" : ""))
+            ->group(kGroup);
+    }
+
+    template <typename E, std::size_t N>
+    void operator()(std::string_view name, E& field, const std::array<OptionChoice<E>, N>& choices,
+                    std::string_view help) const {
+        const std::string flag = "--" + std::string(name);
+        std::string names;
+        std::string chosen;
+        for (const OptionChoice<E>& choice : choices) {
+            names += (names.empty() ? "" : "|") + std::string(choice.name);
+            if (choice.value == field) {
+                chosen = std::string(choice.name);
+            }
+        }
+        const auto parse = [flag, names, choices, take = take_,
+                            key = std::string(name)](const std::string& text) {
+            for (const OptionChoice<E>& choice : choices) {
+                if (choice.name == text) {
+                    take(key, static_cast<double>(choice.value));
+                    return;
+                }
+            }
+            reject(flag, text, "one of " + names);
+        };
+        command_.add_option_function<std::string>(flag, parse, std::string(help))
+            ->type_name(names)
+            ->default_str(chosen)
+            ->group(kGroup);
+    }
+
+private:
+    void addLength(const std::string& name, const std::string& help) const {
+        const std::string flag = "--" + name;
+        const auto parse = [flag, name, take = take_](const std::string& text) {
+            const std::optional<Length> length = parseLength(text);
+            if (!length) {
+                reject(flag, text, "a number of at least 0, or a percentage such as 10%,");
+            }
+            take(name, *length);
+        };
+        command_.add_option_function<std::string>(flag, parse, help)
+            ->type_name("LENGTH")
+            ->group(kGroup);
+    }
+
+    CLI::App& command_;
+    Take take_;
+};
+
+} // namespace
+
+void OptionFlags::attach(CLI::App& command, const std::set<std::string>& only) {
+    const FlagMaker maker(command,
+                          [this](const std::string& name, Value value) { values_[name] = value; });
+    Options defaults;
+    visitOptions(defaults, [&](std::string_view name, auto& field, const auto&... rest) {
+        if (only.empty() || only.count(std::string(name)) != 0) {
+            maker(name, field, rest...);
+        }
+    });
+}
+
+void OptionFlags::apply(Options& options, double diagonal) const {
+    const auto value = [&](std::string_view name) -> std::optional<double> {
+        const auto found = values_.find(std::string(name));
+        if (found == values_.end()) {
+            return std::nullopt;
+        }
+        const auto* length = std::get_if<Length>(&found->second);
+        return length != nullptr ? length->resolved(diagonal) : std::get<double>(found->second);
+    };
+    visitOptions(options, [&](std::string_view name, auto& field, const auto&...) {
+        if (const std::optional<double> given = value(name)) {
+            field = static_cast<std::decay_t<decltype(field)>>(
+                static_cast<
+                    std::conditional_t<std::is_enum_v<std::decay_t<decltype(field)>>, int, double>>(
+                    *given));
+        }
+    });
+}
+
+} // namespace aolib::app

@@ -1,0 +1,257 @@
+#include "app/RenderJob.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include <aolib/AmbientOcclusion.h>
+
+#include "host/HostFramebuffer.h"
+#include "host/HostRenderer.h"
+
+namespace aolib::app {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int kTimedFrames = 7;
+constexpr int kFewestTimedFrames = 3;
+constexpr double kTimingBudgetMs = 3000.0;
+/// Frames granted beyond those asked for, while cube maps still appear or coverage is not known.
+constexpr int kExtraFrames = 8;
+
+double millisecondsSince(Clock::time_point begin) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+}
+
+double median(std::vector<double> values) {
+    if (values.empty()) {
+        return 0.0;
+    }
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+struct FrameTime {
+    double hostMs = 0.0;
+    double aoMs = 0.0;
+    bool built = false; ///< a cube map was built in it
+};
+
+/// Draws the frames of one job.
+class JobRunner {
+public:
+    JobRunner(const GlSession& session, const RenderJob& job, AmbientOcclusion ao,
+              host::HostRenderer renderer, host::HostFramebuffer target)
+        : gl_(session.gl()), job_(job), ao_(std::move(ao)), renderer_(std::move(renderer)),
+          target_(std::move(target)), view_(viewMatrix(job.camera)),
+          projection_(projectionMatrix(job.camera, static_cast<float>(job.width) /
+                                                       static_cast<float>(job.height))) {}
+
+    Status run(RenderResult& result);
+
+private:
+    Status placeByHand();
+    Status drawFrame();
+    Status drawUntilSettled();
+    Status drawTimed();
+    Status readPictures(RenderResult& result);
+    Status readDebugViews(RenderResult& result);
+    void countUp(RenderResult& result) const;
+
+    const gl::Functions& gl_;
+    const RenderJob& job_;
+    AmbientOcclusion ao_;
+    host::HostRenderer renderer_;
+    host::HostFramebuffer target_;
+    glm::mat4 view_;
+    glm::mat4 projection_;
+    std::vector<FrameTime> frames_;
+    double handBuildMs_ = 0.0;
+};
+
+Status JobRunner::run(RenderResult& result) {
+    target_.bind();
+    renderer_.draw(view_, projection_);
+    Result<ByteImage> colour = target_.readColour();
+    if (!colour) {
+        return colour.status();
+    }
+    result.colour = std::move(*colour);
+    for (const auto step :
+         {&JobRunner::placeByHand, &JobRunner::drawUntilSettled, &JobRunner::drawTimed}) {
+        if (Status status = (this->*step)(); !status) {
+            return status;
+        }
+    }
+    countUp(result);
+    if (Status status = readPictures(result); !status) {
+        return status;
+    }
+    return readDebugViews(result);
+}
+
+Status JobRunner::placeByHand() {
+    gl_.Finish();
+    const Clock::time_point begin = Clock::now();
+    for (const glm::vec3& position : job_.cubeMaps) {
+        if (const Result<CubeMapId> id = ao_.addCubeMap(position); !id) {
+            return id.status();
+        }
+    }
+    gl_.Finish();
+    handBuildMs_ = job_.cubeMaps.empty() ? 0.0 : millisecondsSince(begin);
+    return ao_.aoSetCamera(view_, projection_);
+}
+
+Status JobRunner::drawFrame() {
+    FrameTime time;
+    target_.bind();
+    gl_.Finish();
+    const Clock::time_point begin = Clock::now();
+    if (Status status = ao_.aoDrawBegin(); !status) {
+        return status;
+    }
+    renderer_.draw(view_, projection_);
+    gl_.Finish();
+    time.hostMs = millisecondsSince(begin);
+    const Clock::time_point drawn = Clock::now();
+    const glm::vec3& eye = job_.camera.eye;
+    if (Status status = ao_.aoDrawEnd(eye.x, eye.y, eye.z); !status) {
+        return status;
+    }
+    gl_.Finish();
+    time.aoMs = millisecondsSince(drawn);
+    time.built = ao_.statistics().cubeMapsBuilt > 0;
+    frames_.push_back(time);
+    return {};
+}
+
+Status JobRunner::drawUntilSettled() {
+    const auto settled = [this] {
+        return job_.options.backbone != Backbone::Cubemapped ||
+               (!frames_.back().built && ao_.statistics().coverage >= 0.0F);
+    };
+    const int most = job_.frames + kExtraFrames;
+    for (int frame = 0; frame < most && (frame < job_.frames || !settled()); ++frame) {
+        if (Status status = drawFrame(); !status) {
+            return status;
+        }
+    }
+    return {};
+}
+
+Status JobRunner::drawTimed() {
+    const Clock::time_point begin = Clock::now();
+    for (int frame = 0; frame < kTimedFrames; ++frame) {
+        if (frame >= kFewestTimedFrames && millisecondsSince(begin) > kTimingBudgetMs) {
+            break;
+        }
+        if (Status status = drawFrame(); !status) {
+            return status;
+        }
+    }
+    return {};
+}
+
+void JobRunner::countUp(RenderResult& result) const {
+    std::vector<double> ao;
+    std::vector<double> host;
+    for (std::size_t i = static_cast<std::size_t>(job_.frames); i < frames_.size(); ++i) {
+        if (!frames_[i].built) {
+            ao.push_back(frames_[i].aoMs);
+            host.push_back(frames_[i].hostMs);
+        }
+    }
+    result.aoMs = median(std::move(ao));
+    result.hostMs = median(std::move(host));
+    result.buildMs = handBuildMs_;
+    for (const FrameTime& frame : frames_) {
+        result.buildMs += frame.built ? std::max(frame.aoMs - result.aoMs, 0.0) : 0.0;
+    }
+    const Statistics statistics = ao_.statistics();
+    result.cubeMaps = ao_.cubeMaps().size();
+    result.coverage = static_cast<double>(statistics.coverage);
+    result.bytesKept = statistics.bytesKept;
+}
+
+Status JobRunner::readPictures(RenderResult& result) {
+    Result<ByteImage> composite = target_.readColour();
+    if (!composite) {
+        return composite.status();
+    }
+    result.composite = std::move(*composite);
+    Result<VisibilityImage> visibility = ao_.readVisibility();
+    if (!visibility) {
+        return visibility.status();
+    }
+    result.visibility = FloatImage(visibility->width, visibility->height, 1);
+    result.visibility.pixels = std::move(visibility->visibility);
+    return {};
+}
+
+Status JobRunner::readDebugViews(RenderResult& result) {
+    for (const DebugView view : job_.debugViews) {
+        Options options = job_.options;
+        options.debugView = view;
+        if (Status status = ao_.setOptions(options); !status) {
+            return status;
+        }
+        if (Status status = drawFrame(); !status) {
+            return status;
+        }
+        Result<ByteImage> picture = target_.readColour();
+        if (!picture) {
+            return picture.status();
+        }
+        result.debugPictures.push_back(std::move(*picture));
+    }
+    return {};
+}
+
+} // namespace
+
+Failure failureOf(const Status& status) {
+    switch (status.code()) {
+    case StatusCode::NoContext:
+    case StatusCode::MissingCapability:
+    case StatusCode::ShaderError:
+    case StatusCode::OutOfMemory:
+    case StatusCode::InvalidFramebuffer:
+        return graphicsFailure(status.message());
+    default:
+        return badInput(status.message());
+    }
+}
+
+Outcome<RenderResult> render(const GlSession& session, const Model& model, const RenderJob& job,
+                             Progress& progress) {
+    progress.begin(model.name + ": rendering");
+    Result<AmbientOcclusion> ao = AmbientOcclusion::create(session.loader(), job.options);
+    if (!ao) {
+        return failureOf(ao.status());
+    }
+    if (const auto meshes = host::describeScene(*ao, model, job.normals); !meshes) {
+        return failureOf(meshes.status());
+    }
+    Result<host::HostRenderer> renderer = host::HostRenderer::create(session.gl(), model);
+    if (!renderer) {
+        return failureOf(renderer.status());
+    }
+    Result<host::HostFramebuffer> target =
+        host::HostFramebuffer::create(session.gl(), {job.width, job.height, job.samples});
+    if (!target) {
+        return failureOf(target.status());
+    }
+    RenderResult result;
+    JobRunner runner(session, job, std::move(*ao), std::move(*renderer), std::move(*target));
+    if (const Status status = runner.run(result); !status) {
+        return failureOf(status);
+    }
+    progress.pause();
+    return result;
+}
+
+} // namespace aolib::app

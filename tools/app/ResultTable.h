@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "app/Comparison.h"
+#include "app/RenderJob.h"
+#include "app/Table.h"
+
+namespace aolib::app {
+
+/// The one table of "aolib render" and "aolib demo": a row for each rendered scene.
+class ResultTable {
+public:
+    ResultTable();
+
+    void add(const std::string& scene, std::size_t triangles, const RenderResult& result,
+             const std::optional<ErrorAgainstTruth>& error);
+    std::string text() const { return table_.text(); }
+
+private:
+    Table table_;
+};
+
+} // namespace aolib::app

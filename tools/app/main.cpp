@@ -1,0 +1,55 @@
+#include <exception>
+#include <iostream>
+
+#include "app/Commands.h"
+
+namespace {
+
+using aolib::app::ExitCode;
+
+int exitWith(ExitCode code) {
+    return static_cast<int>(code);
+}
+
+int run(int argc, char** argv) {
+    CLI::App program("aolib: ambient occlusion from cube maps, for any OpenGL renderer");
+    program.footer("Begin with:\n"
+                   "  aolib scenes                      what there is to look at\n"
+                   "  aolib render town -o out          pictures of a scene, and a table\n"
+                   "  aolib demo --out out              everything at once, compared with rays\n"
+                   "\"aolib COMMAND --help\" explains a command.\n"
+                   "Exit codes: 0 success, 1 failure, 2 bad input, 3 OpenGL failed.");
+    program.require_subcommand(1);
+    aolib::app::MaybeFailure failure;
+    aolib::app::addRenderCommand(program, failure);
+    aolib::app::addCompareCommand(program, failure);
+    aolib::app::addTruthCommand(program, failure);
+    aolib::app::addScenesCommand(program, failure);
+    aolib::app::addDemoCommand(program, failure);
+    try {
+        program.parse(argc, argv);
+    } catch (const CLI::Success& wish) { // --help
+        return program.exit(wish);
+    } catch (const CLI::ParseError& error) {
+        std::cerr << "aolib: " << error.what() << '\n';
+        return exitWith(ExitCode::BadInput);
+    }
+    if (failure) {
+        std::cerr << "aolib: " << failure->sentence << '\n';
+        return exitWith(failure->exit);
+    }
+    return exitWith(ExitCode::Ok);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run(argc, argv);
+    } catch (const std::exception& error) {
+        std::cerr << "aolib: " << error.what() << '\n';
+    } catch (...) {
+        std::cerr << "aolib: an unknown exception\n";
+    }
+    return exitWith(ExitCode::Failed);
+}

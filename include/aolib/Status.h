@@ -5,8 +5,6 @@
 #include <utility>
 #include <variant>
 
-#include <aolib/Export.h>
-
 namespace aolib {
 
 /// What went wrong, one code per reason. Since 0.1.
@@ -33,7 +31,49 @@ enum class StatusCode : std::uint8_t {
 };
 
 /// The name of a code, for messages and tests: `statusName(StatusCode::Ok) == "Ok"`.
-AOLIB_EXPORT const char* statusName(StatusCode code);
+constexpr const char* statusName(StatusCode code) {
+    switch (code) {
+    case StatusCode::Ok:
+        return "Ok";
+    case StatusCode::InvalidCallOrder:
+        return "InvalidCallOrder";
+    case StatusCode::InvalidPosition:
+        return "InvalidPosition";
+    case StatusCode::InvalidNormal:
+        return "InvalidNormal";
+    case StatusCode::InvalidIndex:
+        return "InvalidIndex";
+    case StatusCode::IncompletePrimitive:
+        return "IncompletePrimitive";
+    case StatusCode::EmptyMesh:
+        return "EmptyMesh";
+    case StatusCode::InvalidPrimitive:
+        return "InvalidPrimitive";
+    case StatusCode::UnknownMesh:
+        return "UnknownMesh";
+    case StatusCode::UnknownCubeMap:
+        return "UnknownCubeMap";
+    case StatusCode::NoScene:
+        return "NoScene";
+    case StatusCode::NoCamera:
+        return "NoCamera";
+    case StatusCode::InvalidCamera:
+        return "InvalidCamera";
+    case StatusCode::InvalidOption:
+        return "InvalidOption";
+    case StatusCode::InvalidFramebuffer:
+        return "InvalidFramebuffer";
+    case StatusCode::MissingCapability:
+        return "MissingCapability";
+    case StatusCode::NoContext:
+        return "NoContext";
+    case StatusCode::ShaderError:
+        return "ShaderError";
+    case StatusCode::OutOfMemory:
+        return "OutOfMemory";
+    }
+    return "unknown";
+}
 
 /// The outcome of a call: a code, and a sentence with the numbers when it is not Ok. A host may
 /// ignore it; `AmbientOcclusion::lastStatus()` keeps the latest failure. Since 0.1.

@@ -32,8 +32,8 @@ namespace fs = std::filesystem;
 /// The generated scenes of the demo; models follow.
 constexpr std::array kScenes{"town", "room", "dome"};
 /// Sizes that keep the whole demo to a few minutes on two cores without a graphics card.
-constexpr int kWidth = 640;
-constexpr int kHeight = 360;
+constexpr int kWidth = 960;
+constexpr int kHeight = 540;
 constexpr int kDemoRays = 128;
 constexpr int kMostPixels = 4096;
 

@@ -1,8 +1,9 @@
 #include "app/GlSession.h"
 
 #include <iostream>
-#include <map>
 #include <utility>
+
+#include "app/NumberFlags.h"
 
 namespace aolib::app {
 
@@ -17,27 +18,17 @@ constexpr bool kDebugBuild = true;
 } // namespace
 
 void GlFlags::attach(CLI::App& command) {
-    static const std::map<std::string, ContextRequest::Api> kApis{
-        {"egl", ContextRequest::Api::Egl},
-        {"osmesa", ContextRequest::Api::OsMesa},
-        {"glfw", ContextRequest::Api::Glfw}};
-    static const std::map<std::string, ContextRequest::Profile> kProfiles{
-        {"core", ContextRequest::Profile::Core},
-        {"compatibility", ContextRequest::Profile::Compatibility}};
+    using Api = ContextRequest::Api;
+    using Profile = ContextRequest::Profile;
     const char* const group = "OpenGL";
-    command
-        .add_option_function<std::string>(
-            "--context", [this](const std::string& name) { api = kApis.at(name); },
-            "where the OpenGL context comes from; without it EGL, else OSMesa")
-        ->check(CLI::IsMember(kApis))
-        ->type_name("egl|osmesa|glfw")
+    addChoice<Api>(
+        command, "--context", {{"egl", Api::Egl}, {"osmesa", Api::OsMesa}, {"glfw", Api::Glfw}},
+        [this](Api value) { api = value; },
+        "where the OpenGL context comes from; without it EGL, else OSMesa")
         ->group(group);
-    command
-        .add_option_function<std::string>(
-            "--profile", [this](const std::string& name) { profile = kProfiles.at(name); },
-            "OpenGL profile")
-        ->check(CLI::IsMember(kProfiles))
-        ->type_name("core|compatibility")
+    addChoice<Profile>(
+        command, "--profile", {{"core", Profile::Core}, {"compatibility", Profile::Compatibility}},
+        [this](Profile value) { profile = value; }, "OpenGL profile")
         ->default_str("core")
         ->group(group);
     command

@@ -2,6 +2,8 @@
 
 #include <functional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <glm/vec3.hpp>
@@ -24,5 +26,25 @@ CLI::Option* addNumber(CLI::App& command, const std::string& flag,
 /// "x,y,z". Repeating the flag calls `take` again.
 CLI::Option* addVector(CLI::App& command, const std::string& flag,
                        const std::function<void(const glm::vec3&)>& take, const std::string& help);
+/// One of the names of `choices`.
+template <typename Value>
+CLI::Option* addChoice(CLI::App& command, const std::string& flag,
+                       const std::vector<std::pair<std::string, Value>>& choices,
+                       const std::function<void(Value)>& take, const std::string& help) {
+    std::string names;
+    for (const auto& [name, value] : choices) {
+        names += (names.empty() ? "" : "|") + name;
+    }
+    const auto parse = [=](const std::string& text) {
+        for (const auto& [name, value] : choices) {
+            if (name == text) {
+                take(value);
+                return;
+            }
+        }
+        throw CLI::ValidationError(flag + " " + text + ": one of " + names + " is needed");
+    };
+    return command.add_option_function<std::string>(flag, parse, help)->type_name(names);
+}
 
 } // namespace aolib::app

@@ -7,6 +7,8 @@
 
 #include <aolib/OptionFields.h>
 
+#include "app/NumberFlags.h"
+
 namespace aolib::app {
 
 namespace {
@@ -66,39 +68,31 @@ public:
 
     void operator()(std::string_view name, bool& field, std::string_view help) const {
         const std::string key(name);
-        const auto set = [take = take_, key](std::int64_t count) {
-            take(key, count > 0 ? 1.0 : 0.0);
-        };
+        const auto set = [take = take_, key](std::int64_t) { take(key, 1.0); };
+        const auto clear = [take = take_, key](std::int64_t) { take(key, 0.0); };
         command_
-            .add_flag_function("--" + key + ",!--no-" + key, set,
-                               std::string(help) + (field ? "; on by default" : ""))
+            .add_flag_function("--" + key, set,
+                               std::string(help) +
+                                   (field ? "; on unless --no-" + key : std::string()))
             ->group(kGroup);
+        command_.add_flag_function("--no-" + key, clear, "")->group("");
     }
 
     template <typename E, std::size_t N>
     void operator()(std::string_view name, E& field, const std::array<OptionChoice<E>, N>& choices,
                     std::string_view help) const {
-        const std::string flag = "--" + std::string(name);
-        std::string names;
+        std::vector<std::pair<std::string, E>> named;
         std::string chosen;
         for (const OptionChoice<E>& choice : choices) {
-            names += (names.empty() ? "" : "|") + std::string(choice.name);
-            if (choice.value == field) {
-                chosen = std::string(choice.name);
-            }
+            named.emplace_back(choice.name, choice.value);
+            chosen = choice.value == field ? std::string(choice.name) : chosen;
         }
-        const auto parse = [flag, names, choices, take = take_,
-                            key = std::string(name)](const std::string& text) {
-            for (const OptionChoice<E>& choice : choices) {
-                if (choice.name == text) {
-                    take(key, static_cast<double>(choice.value));
-                    return;
-                }
-            }
-            reject(flag, text, "one of " + names);
-        };
-        command_.add_option_function<std::string>(flag, parse, std::string(help))
-            ->type_name(names)
+        addChoice<E>(
+            command_, "--" + std::string(name), named,
+            [take = take_, key = std::string(name)](E value) {
+                take(key, static_cast<double>(value));
+            },
+            std::string(help))
             ->default_str(chosen)
             ->group(kGroup);
     }

@@ -51,12 +51,13 @@ RenderJob jobOf(const RenderFlags& flags, const View& view) {
     return job;
 }
 
-void report(const View& view, const RenderJob& job, const RenderResult& result,
-            const std::optional<ErrorAgainstTruth>& error,
+void report(const std::string& device, const View& view, const RenderJob& job,
+            const RenderResult& result, const std::optional<ErrorAgainstTruth>& error,
             const std::vector<std::filesystem::path>& files) {
     ResultTable table;
     table.add(view.model.name, view.model.triangleCount(), result, error);
-    std::cout << job.width << " x " << job.height << " pixels, radius " << job.options.radius
+    std::cout << device << '\n'
+              << job.width << " x " << job.height << " pixels, radius " << job.options.radius
               << " world units\n"
               << table.text();
     if (error) {
@@ -85,7 +86,6 @@ MaybeFailure run(RenderFlags& flags) {
     if (!session) {
         return session.failure();
     }
-    std::cout << session->describe() << '\n';
     const Outcome<RenderResult> result = render(*session, view->model, job, progress);
     if (!result) {
         return result.failure();
@@ -111,7 +111,7 @@ MaybeFailure run(RenderFlags& flags) {
     if (MaybeFailure failure = flags.outputs.write(*result, truth)) {
         return failure;
     }
-    report(*view, job, *result, error, flags.outputs.written());
+    report(session->describe(), *view, job, *result, error, flags.outputs.written());
     return std::nullopt;
 }
 

@@ -53,7 +53,7 @@ std::string knownPercentage(double share) {
 std::string grouped(std::size_t count) {
     std::string digits = std::to_string(count);
     for (std::size_t at = digits.size(); at > 3; at -= 3) {
-        digits.insert(at - 3, " ");
+        digits.insert(at - 3, 1, ' ');
     }
     return digits;
 }

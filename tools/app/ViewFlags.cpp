@@ -1,7 +1,6 @@
 #include "app/ViewFlags.h"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -19,9 +18,6 @@ constexpr double kNearShare = 0.001;
 constexpr double kFarMargin = 1.05;
 /// Sine of the angle between up and the view below which the picture would turn at will.
 constexpr double kParallel = 1e-6;
-
-const std::map<std::string, host::SceneNormals> kNormals{
-    {"geometric", host::SceneNormals::Geometric}, {"given", host::SceneNormals::Model}};
 
 MaybeFailure check(const NamedCamera& camera) {
     const glm::dvec3 forward = glm::dvec3(camera.target) - glm::dvec3(camera.eye);
@@ -84,12 +80,11 @@ void ViewFlags::attach(CLI::App& command) {
     side("--width", width_, "width of the picture [960]");
     side("--height", height_, "height of the picture [540]");
     number("--ground", ground_, "adds a large horizontal quad at this y");
-    command
-        .add_option_function<std::string>(
-            "--normals", [this](const std::string& name) { normals_ = kNormals.at(name); },
-            "normals that occlusion is about: the triangles' or the model's")
-        ->check(CLI::IsMember(kNormals))
-        ->type_name("geometric|given")
+    addChoice<host::SceneNormals>(
+        command, "--normals",
+        {{"geometric", host::SceneNormals::Geometric}, {"given", host::SceneNormals::Model}},
+        [this](host::SceneNormals value) { normals_ = value; },
+        "normals that occlusion is about: the triangles' or the model's")
         ->default_str("geometric")
         ->group("View");
 }

@@ -1,5 +1,6 @@
 #include <exception>
 #include <iostream>
+#include <string>
 
 #include "app/Commands.h"
 
@@ -19,13 +20,19 @@ int run(int argc, char** argv) {
                    "  aolib demo --out out              everything at once, compared with rays\n"
                    "\"aolib COMMAND --help\" explains a command.\n"
                    "Exit codes: 0 success, 1 failure, 2 bad input, 3 OpenGL failed.");
-    program.require_subcommand(1);
     aolib::app::MaybeFailure failure;
     aolib::app::addRenderCommand(program, failure);
     aolib::app::addCompareCommand(program, failure);
     aolib::app::addTruthCommand(program, failure);
     aolib::app::addScenesCommand(program, failure);
     aolib::app::addDemoCommand(program, failure);
+    const std::string first = argc > 1 ? argv[1] : "";
+    if (first.empty() || (first[0] != '-' && program.get_subcommand_no_throw(first) == nullptr)) {
+        std::cerr << "aolib: " << (first.empty() ? "a command is needed" : first + " is no command")
+                  << "; \"aolib --help\" lists them\n";
+        return exitWith(ExitCode::BadInput);
+    }
+    program.require_subcommand(1);
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& wish) { // --help

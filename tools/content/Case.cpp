@@ -22,7 +22,7 @@ constexpr int largestSide = 16384;
 constexpr float groundSize = 20.0F; ///< of the model's diagonal
 
 constexpr std::array<std::string_view, 13> knownKeys{
-    "mesh", "eye",    "target", "up",     "fovy_deg", "near",    "far",
+    "mesh",  "eye",    "target", "up",      "fovy_deg", "near",  "far",
     "width", "height", "radius", "falloff", "normals",  "ground"};
 
 struct FalloffName {
@@ -34,12 +34,12 @@ constexpr std::array<FalloffName, 3> falloffNames{
 
 /// Reads members one by one and keeps the first thing that is wrong.
 class CaseParser {
-  public:
+public:
     CaseParser(const Json& json, std::string name) : json_(json), name_(std::move(name)) {}
 
     Loaded<Case> parse();
 
-  private:
+private:
     void fail(const std::string& reason) {
         if (!error_) {
             error_ = LoadError{name_ + ": " + reason};
@@ -202,7 +202,9 @@ double shortest(float value) {
     return result;
 }
 
-Json list(const glm::vec3& v) { return Json::array({shortest(v.x), shortest(v.y), shortest(v.z)}); }
+Json list(const glm::vec3& v) {
+    return Json::array({shortest(v.x), shortest(v.y), shortest(v.z)});
+}
 
 } // namespace
 
@@ -277,8 +279,7 @@ void addGround(Model& model, float y) {
 
 Loaded<Model> loadCaseModel(const Case& scene) {
     const bool generated = findGeneratedScene(scene.mesh) != nullptr;
-    Loaded<Model> model =
-        openScene(generated ? scene.mesh : (scene.folder / scene.mesh).string());
+    Loaded<Model> model = openScene(generated ? scene.mesh : (scene.folder / scene.mesh).string());
     if (model && scene.ground) {
         addGround(*model, *scene.ground);
     }
@@ -286,8 +287,7 @@ Loaded<Model> loadCaseModel(const Case& scene) {
 }
 
 NamedCamera caseCamera(const Case& scene) {
-    return {"case",      scene.eye,  scene.target, scene.up,
-            scene.fovyDeg, scene.near, scene.far};
+    return {"case", scene.eye, scene.target, scene.up, scene.fovyDeg, scene.near, scene.far};
 }
 
 } // namespace aolib

@@ -20,13 +20,13 @@ struct ByteRun {
 };
 
 class AccessorReader {
-  public:
+public:
     AccessorReader(const GltfDocument& document, int index) : document_(document), index_(index) {}
 
     Loaded<std::vector<glm::vec3>> vectors() const;
     Loaded<std::vector<std::uint32_t>> indices() const;
 
-  private:
+private:
     LoadError failure(const std::string& reason) const {
         return LoadError{document_.name + ": accessor " + std::to_string(index_) + " " + reason};
     }
@@ -160,10 +160,9 @@ AccessorReader::sparseIndices(const tinygltf::Accessor& accessor) const {
         return failure("has a negative sparse count or offset");
     }
     const auto count = static_cast<std::size_t>(accessor.sparse.count);
-    const Loaded<ByteRun> run =
-        locate(accessor.sparse.indices.bufferView,
-               static_cast<std::uint64_t>(accessor.sparse.indices.byteOffset), count,
-               componentSize(type));
+    const Loaded<ByteRun> run = locate(
+        accessor.sparse.indices.bufferView,
+        static_cast<std::uint64_t>(accessor.sparse.indices.byteOffset), count, componentSize(type));
     if (!run) {
         return run.error();
     }
@@ -229,8 +228,7 @@ Loaded<std::vector<std::uint32_t>> AccessorReader::indices() const {
         return failure("does not exist");
     }
     const int type = accessor->componentType;
-    if (accessor->type != TINYGLTF_TYPE_SCALAR || !isIndexType(type) ||
-        accessor->sparse.isSparse) {
+    if (accessor->type != TINYGLTF_TYPE_SCALAR || !isIndexType(type) || accessor->sparse.isSparse) {
         return failure("does not hold indices");
     }
     const Loaded<ByteRun> run =

@@ -21,8 +21,8 @@ constexpr std::uint32_t jsonChunk = 0x4E4F534A;
 constexpr std::uint32_t binaryChunk = 0x004E4942;
 
 /// What the reader uses. Everything else, images above all, never reaches tinygltf.
-constexpr std::array<const char*, 8> keptMembers{
-    "asset", "scene", "scenes", "nodes", "meshes", "accessors", "bufferViews", "materials"};
+constexpr std::array<const char*, 8> keptMembers{"asset",  "scene",     "scenes",      "nodes",
+                                                 "meshes", "accessors", "bufferViews", "materials"};
 
 /// Extensions that move the triangles to where this reader does not look.
 constexpr std::array<const char*, 3> unreadableExtensions{

@@ -46,13 +46,13 @@ std::vector<std::uint32_t> toTriangles(int mode, std::vector<std::uint32_t> corn
 }
 
 class GltfAssembler {
-  public:
+public:
     explicit GltfAssembler(const GltfDocument& document)
         : document_(document), gltf_(document.structure) {}
 
     Loaded<Model> assemble();
 
-  private:
+private:
     LoadError failure(const std::string& reason) const {
         return LoadError{document_.name + ": " + reason};
     }
@@ -128,8 +128,7 @@ Loaded<glm::mat4> GltfAssembler::localTransform(const tinygltf::Node& node, int 
         result[axis] *= node.scale[static_cast<std::size_t>(axis)];
     }
     if (!node.translation.empty()) {
-        result[3] =
-            glm::dvec4(node.translation[0], node.translation[1], node.translation[2], 1.0);
+        result[3] = glm::dvec4(node.translation[0], node.translation[1], node.translation[2], 1.0);
     }
     return glm::mat4(result);
 }
@@ -184,9 +183,10 @@ std::optional<LoadError> GltfAssembler::placeMesh(const tinygltf::Node& node, in
         return error;
     }
     for (const ModelMesh& mesh : *meshes_[meshIndex]) {
-        const bool placed = std::all_of(
-            mesh.positions.begin(), mesh.positions.end(),
-            [&](const glm::vec3& p) { return finite(glm::vec3(transform * glm::vec4(p, 1.0F))); });
+        const bool placed =
+            std::all_of(mesh.positions.begin(), mesh.positions.end(), [&](const glm::vec3& p) {
+                return finite(glm::vec3(transform * glm::vec4(p, 1.0F)));
+            });
         if (!placed) {
             return failure("node " + std::to_string(nodeIndex) +
                            " moves vertices to where they are not finite");
@@ -226,9 +226,9 @@ std::optional<LoadError> GltfAssembler::loadMesh(std::size_t index) {
     return std::nullopt;
 }
 
-Loaded<std::vector<std::uint32_t>>
-GltfAssembler::cornersOf(const tinygltf::Primitive& primitive, std::size_t vertexCount,
-                         const std::string& where) const {
+Loaded<std::vector<std::uint32_t>> GltfAssembler::cornersOf(const tinygltf::Primitive& primitive,
+                                                            std::size_t vertexCount,
+                                                            const std::string& where) const {
     Loaded<std::vector<std::uint32_t>> corners = std::vector<std::uint32_t>();
     if (primitive.indices >= 0) {
         corners = readIndices(document_, primitive.indices);
@@ -269,8 +269,7 @@ Loaded<ModelMesh> GltfAssembler::loadPrimitive(const tinygltf::Primitive& primit
                            " is not finite");
         }
     }
-    Loaded<std::vector<std::uint32_t>> corners =
-        cornersOf(primitive, mesh.positions.size(), where);
+    Loaded<std::vector<std::uint32_t>> corners = cornersOf(primitive, mesh.positions.size(), where);
     if (!corners) {
         return corners.error();
     }

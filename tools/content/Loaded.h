@@ -15,7 +15,7 @@ struct LoadError {
 /// for which the library has no status codes.
 template <typename T>
 class [[nodiscard]] Loaded {
-  public:
+public:
     Loaded(T value) : content_(std::move(value)) {}
     Loaded(LoadError error) : content_(std::move(error)) {}
 
@@ -32,7 +32,7 @@ class [[nodiscard]] Loaded {
     T* operator->() { return &value(); }
     const T* operator->() const { return &value(); }
 
-  private:
+private:
     std::variant<T, LoadError> content_;
 };
 

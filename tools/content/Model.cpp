@@ -85,9 +85,8 @@ std::size_t Model::triangleCount() const {
 }
 
 TriangleMesh Model::flattened() const {
-    const bool withNormals = std::any_of(meshes.begin(), meshes.end(), [](const ModelMesh& mesh) {
-        return !mesh.normals.empty();
-    });
+    const bool withNormals = std::any_of(
+        meshes.begin(), meshes.end(), [](const ModelMesh& mesh) { return !mesh.normals.empty(); });
     TriangleMesh out;
     for (const ModelMesh& mesh : meshes) {
         const bool mirrored = glm::determinant(glm::mat3(mesh.transform)) < 0.0F;

@@ -57,12 +57,12 @@ std::optional<float> parseFloat(std::string_view word) {
 }
 
 class ObjParser {
-  public:
+public:
     explicit ObjParser(const std::filesystem::path& file) : file_(file) {}
 
     Loaded<Model> parse(std::string_view text);
 
-  private:
+private:
     LoadError failure(const std::string& reason) const { return failure(reason, line_); }
     LoadError failure(const std::string& reason, std::size_t line) const {
         return LoadError{file_.string() + ", line " + std::to_string(line) + ": " + reason};

@@ -61,7 +61,8 @@ void addWalls(std::vector<ModelMesh>& meshes) {
         const bool door = i % 6 == 0;
         const glm::vec2 low{-0.85F, door ? floorY + 0.02F : floorY + 1.2F};
         const glm::vec2 high{0.85F, door ? 7.2F : 6.6F};
-        walls.slab(outside, rectangle({-half, floorY - 0.2F}, {half, drumTop + 0.3F}), wallThickness,
+        walls.slab(outside, rectangle({-half, floorY - 0.2F}, {half, drumTop + 0.3F}),
+                   wallThickness,
                    {{roundArch(windowLow, windowHigh, 28), 0.0F, true},
                     {roundArch(low, high, 28), 0.45F, door}});
         dome::addArchivolt(frames, outside, windowLow, windowHigh, 0.3F);
@@ -101,9 +102,9 @@ void addOrders(std::vector<ModelMesh>& meshes) {
 void addRings(std::vector<ModelMesh>& meshes) {
     SolidBuilder builder;
     constexpr float lowerScale = 0.93F;
-    builder.lathe(dome::entablature(columnRing + 0.42F, columnRing - 0.5F, orderTop - 0.01F,
-                                    lowerScale),
-                  roundSegments, true);
+    builder.lathe(
+        dome::entablature(columnRing + 0.42F, columnRing - 0.5F, orderTop - 0.01F, lowerScale),
+        roundSegments, true);
     dome::addCorniceBlocks(builder, columnRing + 0.42F, orderTop - 0.01F, lowerScale, 264, 72);
     // The terrace over the ambulatory, with a beam over each column.
     builder.lathe({{wallOuter - 0.5F, 12.2F},
@@ -122,14 +123,13 @@ void addRings(std::vector<ModelMesh>& meshes) {
     builder.lathe(string.outline(), roundSegments, true);
     for (int i = 0; i < bays; ++i) {
         builder.setPlace(around(bayShare(i, 0.5F), 0.0F, 0.0F));
-        builder.box({-0.35F, orderTop + 0.6F, wallOuter - 0.3F},
-                    {0.35F, 12.3F, columnRing - 0.3F});
+        builder.box({-0.35F, orderTop + 0.6F, wallOuter - 0.3F}, {0.35F, 12.3F, columnRing - 0.3F});
     }
     builder.setPlace(glm::mat4(1.0F));
     constexpr float upperScale = 0.66F;
-    builder.lathe(dome::entablature(wallOuter + 0.62F, wallOuter - 0.9F, drumTop - 0.01F,
-                                    upperScale),
-                  roundSegments, true);
+    builder.lathe(
+        dome::entablature(wallOuter + 0.62F, wallOuter - 0.9F, drumTop - 0.01F, upperScale),
+        roundSegments, true);
     dome::addCorniceBlocks(builder, wallOuter + 0.62F, drumTop - 0.01F, upperScale, 264, 72);
     dome::Moulding attic(9.4F, 20.6F);
     attic.to(11.3F, 20.6F)
@@ -209,7 +209,7 @@ std::vector<NamedCamera> domeCameras() {
     return {
         {"outside", {25.0F, 8.0F, 44.0F}, {0.0F, 19.0F, 0.0F}, {0, 1, 0}, 52.0F, 0.5F, 300.0F},
         {"inside", {0.6F, 3.2F, 8.4F}, {0.0F, 14.0F, -4.0F}, {0, 1, 0}, 75.0F, 0.1F, 150.0F},
-        {"terrace", {9.2F, 14.6F, 10.2F}, {1.0F, 16.3F, 12.4F}, {0, 1, 0}, 60.0F, 0.05F, 200.0F},
+        {"terrace", {9.2F, 14.6F, 10.2F}, {2.6F, 16.0F, 11.4F}, {0, 1, 0}, 60.0F, 0.05F, 200.0F},
         {"peristyle", {10.6F, 3.3F, 18.5F}, {0.0F, 6.8F, 12.6F}, {0, 1, 0}, 60.0F, 0.1F, 200.0F}};
 }
 

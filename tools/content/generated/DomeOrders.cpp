@@ -12,7 +12,9 @@ namespace {
 
 constexpr float quarter = glm::half_pi<float>();
 
-float share(int i, int count) { return static_cast<float>(i) / static_cast<float>(count); }
+float share(int i, int count) {
+    return static_cast<float>(i) / static_cast<float>(count);
+}
 
 /// The attic base: plinth, torus, scotia, torus. In units of the radius.
 void addBase(SolidBuilder& builder, float r, int segments) {
@@ -50,7 +52,11 @@ void addLeaf(SolidBuilder& builder, float r, float bottom, float top, float widt
         const glm::vec3 out = outward * std::cos(turn) - up * std::sin(turn);
         path.push_back({centre, side * (width * taper), out * (0.09F * r)});
     }
-    builder.sweep({{-1.0F, -0.3F}, {0.0F, -0.5F}, {1.0F, -0.3F}, {0.35F, 0.35F}, {0.0F, 1.0F},
+    builder.sweep({{-1.0F, -0.3F},
+                   {0.0F, -0.5F},
+                   {1.0F, -0.3F},
+                   {0.35F, 0.35F},
+                   {0.0F, 1.0F},
                    {-0.35F, 0.35F}},
                   path, false);
 }
@@ -92,8 +98,7 @@ void addCapital(SolidBuilder& builder, float r, float bottom, float top,
                 angle + glm::pi<float>() / 8.0F, detail.leafStations);
     }
     for (int i = 0; i < 4; ++i) {
-        addVolute(builder, r, top, quarter * (0.5F + static_cast<float>(i)),
-                  detail.voluteStations);
+        addVolute(builder, r, top, quarter * (0.5F + static_cast<float>(i)), detail.voluteStations);
     }
     Outline abacus; // sides that curve inwards
     for (int side = 0; side < 4; ++side) {
@@ -149,8 +154,7 @@ Moulding& Moulding::torus(float dy, int points) {
     const glm::vec2 start = points_.back();
     for (int i = 1; i <= points; ++i) {
         const float t = glm::pi<float>() * share(i, points);
-        points_.push_back(start +
-                          0.5F * dy * glm::vec2(std::sin(t), 1.0F - std::cos(t)));
+        points_.push_back(start + 0.5F * dy * glm::vec2(std::sin(t), 1.0F - std::cos(t)));
     }
     return *this;
 }
@@ -281,9 +285,9 @@ void addCorniceBlocks(SolidBuilder& builder, float radius, float y, float scale,
     }
     for (int i = 0; i < brackets; ++i) {
         builder.setPlace(around(share(i, brackets), radius, y));
-        builder.sweep({{-0.5F, -0.6F}, {-0.25F, -0.8F}, {0.25F, -0.8F}, {0.5F, -0.6F}, {0.5F, 1},
-                       {-0.5F, 1}},
-                      path, false);
+        builder.sweep(
+            {{-0.5F, -0.6F}, {-0.25F, -0.8F}, {0.25F, -0.8F}, {0.5F, -0.6F}, {0.5F, 1}, {-0.5F, 1}},
+            path, false);
     }
     builder.setPlace(glm::mat4(1.0F));
 }

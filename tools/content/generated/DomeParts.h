@@ -9,7 +9,7 @@ namespace aolib::dome {
 
 /// Draws the outline of a moulding point by point, in (radius or projection, height).
 class Moulding {
-  public:
+public:
     Moulding(float x, float y) : points_{{x, y}} {}
 
     Moulding& step(float dx, float dy);
@@ -24,7 +24,7 @@ class Moulding {
     Moulding& to(float x, float y);
     const Outline& outline() const { return points_; }
 
-  private:
+private:
     std::vector<glm::vec2> points_;
 };
 

@@ -15,10 +15,14 @@ constexpr float springRadius = 10.4F; ///< of the outer shell
 constexpr float pointing = 1.2F;      ///< how far beyond the axis an arc's centre lies
 constexpr float eyeRadius = 2.3F;     ///< of the opening under the lantern
 
-float share(int i, int count) { return static_cast<float>(i) / static_cast<float>(count); }
+float share(int i, int count) {
+    return static_cast<float>(i) / static_cast<float>(count);
+}
 
 /// The arc's end, where the shell meets the ring under the lantern.
-float lastAngle() { return std::acos((eyeRadius + pointing) / (springRadius + pointing)); }
+float lastAngle() {
+    return std::acos((eyeRadius + pointing) / (springRadius + pointing));
+}
 
 /// (radius, height above the springing) at an angle of the arc, `inset` inside the outer shell.
 glm::vec2 arc(float angle, float inset) {
@@ -104,8 +108,9 @@ void addCoffer(SolidBuilder& builder, float turn0, float turn1, float angle0, fl
                           : side == 2 ? glm::vec2(1.0F - t, 1.0F)
                                       : glm::vec2(0.0F, 1.0F - t);
             p = loop.inset + p * (1.0F - 2.0F * loop.inset);
-            rows.back().push_back(onVault(glm::mix(turn1, turn0, p.x), glm::mix(angle0, angle1, p.y),
-                                          surfaceInset - loop.depth, y));
+            rows.back().push_back(onVault(glm::mix(turn1, turn0, p.x),
+                                          glm::mix(angle0, angle1, p.y), surfaceInset - loop.depth,
+                                          y));
         }
     }
     const glm::vec3 middle = onVault(0.5F * (turn0 + turn1), 0.5F * (angle0 + angle1),
@@ -113,8 +118,8 @@ void addCoffer(SolidBuilder& builder, float turn0, float turn1, float angle0, fl
     rows.emplace_back(4 * perSide, middle);
     builder.surface(rows, false, true);
     // A rosette in its middle.
-    const glm::vec3 inward = glm::normalize(
-        onVault(0.5F * (turn0 + turn1), 0.5F * (angle0 + angle1), 2.0F, y) - middle);
+    const glm::vec3 inward =
+        glm::normalize(onVault(0.5F * (turn0 + turn1), 0.5F * (angle0 + angle1), 2.0F, y) - middle);
     const glm::vec3 side = glm::normalize(glm::cross(glm::vec3(0, 1, 0), inward));
     const glm::mat4 place(glm::vec4(side, 0), glm::vec4(inward, 0),
                           glm::vec4(glm::cross(side, inward), 0), glm::vec4(middle, 1));
@@ -193,8 +198,8 @@ void addLantern(std::vector<ModelMesh>& meshes, float y) {
         builder.slab(wall, rectangle({-0.442F, floor - 0.1F}, {0.442F, floor + 3.1F}), 0.25F,
                      {{roundArch(low, high, 16), 0.0F, true}});
         addArchivolt(builder, wall, low, high, 0.12F);
-        builder.setPlace(around((static_cast<float>(i) + 0.5F) / static_cast<float>(bays), 2.0F,
-                                floor));
+        builder.setPlace(
+            around((static_cast<float>(i) + 0.5F) / static_cast<float>(bays), 2.0F, floor));
         addPlainColumn(builder, 3.0F, 0.16F);
     }
     builder.setPlace(glm::mat4(1.0F));

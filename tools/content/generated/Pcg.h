@@ -6,7 +6,7 @@ namespace aolib {
 
 /// The generator PCG-XSH-RR 64/32 (O'Neill 2014): small, and the same numbers on every machine.
 class Pcg {
-  public:
+public:
     explicit Pcg(std::uint64_t seed) : state_(seed + increment) { next(); }
 
     std::uint32_t next() {
@@ -23,12 +23,11 @@ class Pcg {
     }
     /// Uniform in 0 ... count - 1.
     int pick(int count) {
-        return static_cast<int>((static_cast<std::uint64_t>(next()) *
-                                 static_cast<std::uint64_t>(count)) >>
-                                32U);
+        return static_cast<int>(
+            (static_cast<std::uint64_t>(next()) * static_cast<std::uint64_t>(count)) >> 32U);
     }
 
-  private:
+private:
     static constexpr std::uint64_t increment = 1442695040888963407U;
     std::uint64_t state_;
 };

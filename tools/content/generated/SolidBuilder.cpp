@@ -57,8 +57,8 @@ Outline pointedArch(const glm::vec2& low, float width, float springing, int segm
 Outline regularPolygon(float radius, int corners, float firstAngle) {
     Outline outline;
     for (int i = 0; i < corners; ++i) {
-        const float angle = firstAngle + glm::two_pi<float>() * static_cast<float>(i) /
-                                             static_cast<float>(corners);
+        const float angle =
+            firstAngle + glm::two_pi<float>() * static_cast<float>(i) / static_cast<float>(corners);
         outline.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
     }
     return outline;
@@ -262,8 +262,8 @@ void SolidBuilder::lathe(const Outline& profile, int segments, bool loop) {
 void SolidBuilder::sweep(const Outline& profile, const std::vector<Station>& path,
                          bool closedPath) {
     const Station& first = path.front();
-    const bool forward = glm::dot(path[1].centre - first.centre,
-                                  glm::cross(first.across, first.out)) > 0.0F;
+    const bool forward =
+        glm::dot(path[1].centre - first.centre, glm::cross(first.across, first.out)) > 0.0F;
     std::vector<std::vector<glm::vec3>> rows;
     for (std::size_t i = 0; i < path.size(); ++i) {
         const Station& station = path[forward ? i : path.size() - 1 - i];

@@ -42,7 +42,7 @@ Outline regularPolygon(float radius, int corners, float firstAngle = 0.0F);
 /// Collects the faces of solids in one mesh. Every solid function gives a closed surface, faces
 /// counter-clockwise from outside; what lies under `place` is moved by it.
 class SolidBuilder {
-  public:
+public:
     /// Moves what is added from here on.
     void setPlace(const glm::mat4& place) { place_ = place; }
     const glm::mat4& place() const { return place_; }
@@ -82,7 +82,7 @@ class SolidBuilder {
     /// The mesh, positions closer than 0.1 mm made equal; the builder is empty afterwards.
     ModelMesh finish(std::string name, const glm::vec3& colour);
 
-  private:
+private:
     std::uint32_t addVertex(const glm::vec3& position, const glm::vec3& normal);
     void face(const Frame& frame, const Outline& outline, const std::vector<Outline>& holes,
               float depth, bool reversed);

@@ -61,7 +61,7 @@ constexpr std::array<Row, 18> rows{{
 
 void addGround(std::vector<ModelMesh>& meshes) {
     SolidBuilder ground;
-    constexpr int cells = 6;
+    constexpr int cells = 5;
     constexpr float cell = 200.0F / static_cast<float>(cells);
     for (int i = 0; i < cells; ++i) {
         for (int k = 0; k < cells; ++k) {
@@ -112,7 +112,7 @@ void addHouses(std::vector<ModelMesh>& meshes) {
             place = glm::rotate(place, std::atan2(outward.x, outward.y), {0, 1, 0});
             place = glm::rotate(place, glm::radians(random.uniform(-0.8F, 0.8F)), {0, 1, 0});
             town::addHouse(meshes, {place, width - 0.25F, row.depth + random.uniform(-0.8F, 0.8F)},
-                     ++number, random);
+                           ++number, random);
             at += width;
         }
     }
@@ -123,11 +123,10 @@ void addTrees(std::vector<ModelMesh>& meshes) {
     SolidBuilder trunks;
     SolidBuilder crowns;
     constexpr std::array<glm::vec3, 20> places{
-        {{16.5F, 4.5F, 0}, {15.5F, 17.0F, 0},  {-30, -21.0F, 0},   {-45, 21.5F, 0},
-         {-52, 22, 0},       {-36, 21, 0},       {48, 21.5F, 0},      {38, 22, 0},
-         {-45, -21, 0},      {-52, -20.5F, 0},   {-36, -21.5F, 0},    {52, -21, 0},
-         {-15, -48, 1},      {-15, -56, 1},      {15, -48, 1},        {15, -56, 1},
-         {-9, 92, 0},        {12, 94, 0},        {35, 92, 0},         {92, 30, 0}}};
+        {{16.5F, 4.5F, 0}, {15.5F, 17.0F, 0}, {-30, -21.0F, 0}, {-45, 21.5F, 0}, {-52, 22, 0},
+         {-36, 21, 0},     {48, 21.5F, 0},    {38, 22, 0},      {-45, -21, 0},   {-52, -20.5F, 0},
+         {-36, -21.5F, 0}, {52, -21, 0},      {-15, -48, 1},    {-15, -56, 1},   {15, -48, 1},
+         {15, -56, 1},     {-9, 92, 0},       {12, 94, 0},      {35, 92, 0},     {92, 30, 0}}};
     for (const glm::vec3& place : places) {
         town::addTree(trunks, crowns, {place.x, place.y}, place.z > 0.5F, random);
     }
@@ -160,11 +159,11 @@ std::vector<NamedCamera> townCameras() {
 
 std::vector<glm::vec3> townWalk() {
     constexpr float eye = 1.7F;
-    return {{0.0F, eye, 94.0F},   {0.0F, eye, 70.0F},  {0.5F, eye, 41.0F},  {0.0F, eye, 22.0F},
+    return {{0.0F, eye, 94.0F},   {0.0F, eye, 70.0F},   {0.5F, eye, 41.0F},   {0.0F, eye, 22.0F},
             {-9.5F, eye, 8.0F},   {-10.0F, eye, -3.0F}, {-5.0F, eye, -14.0F}, {6.0F, eye, -16.0F},
-            {15.0F, eye, -10.0F}, {15.0F, eye, 0.0F},  {40.0F, eye, 0.5F},  {68.0F, eye, 0.0F},
-            {68.0F, eye, 40.5F},  {30.0F, eye, 41.0F}, {0.0F, eye, 41.0F},  {-66.0F, eye, 40.5F},
-            {-67.0F, eye, 0.0F},  {-40.0F, eye, 0.0F}, {-19.0F, eye, 0.0F}};
+            {15.0F, eye, -10.0F}, {15.0F, eye, 0.0F},   {40.0F, eye, 0.5F},   {68.0F, eye, 0.0F},
+            {68.0F, eye, 40.5F},  {30.0F, eye, 41.0F},  {0.0F, eye, 41.0F},   {-66.0F, eye, 40.5F},
+            {-67.0F, eye, 0.0F},  {-40.0F, eye, 0.0F},  {-19.0F, eye, 0.0F}};
 }
 
 } // namespace aolib

@@ -29,8 +29,8 @@ std::vector<Opening> naveWindows() {
 
 /// The nave's ridge runs north to south.
 void addNave(SolidBuilder& walls, SolidBuilder& roof, SolidBuilder& panes) {
-    glm::mat4 place = glm::translate(glm::mat4(1.0F),
-                                     {0.0F, 0.0F, frontZ - 2.0F * towerHalf - 15.0F + 1.0F});
+    glm::mat4 place =
+        glm::translate(glm::mat4(1.0F), {0.0F, 0.0F, frontZ - 2.0F * towerHalf - 15.0F + 1.0F});
     place = glm::rotate(place, glm::half_pi<float>(), {0.0F, 1.0F, 0.0F});
     walls.setPlace(place);
     roof.setPlace(place);
@@ -65,8 +65,7 @@ void addNave(SolidBuilder& walls, SolidBuilder& roof, SolidBuilder& panes) {
 }
 
 void addTower(SolidBuilder& walls, SolidBuilder& roof, SolidBuilder& panes) {
-    const glm::mat4 place =
-        glm::translate(glm::mat4(1.0F), {0.0F, 0.0F, frontZ - towerHalf});
+    const glm::mat4 place = glm::translate(glm::mat4(1.0F), {0.0F, 0.0F, frontZ - towerHalf});
     const Outline wall = rectangle({-towerHalf, 0.0F}, {towerHalf, towerTop});
     const Opening belfryLeft = lancet(-1.5F, 19.0F, 1.5F, 22.5F, 0.7F, 2);
     const Opening belfryRight = lancet(1.5F, 19.0F, 1.5F, 22.5F, 0.7F, 2);

@@ -91,11 +91,8 @@ void addGableBody(SolidBuilder& builder, const GableBody& body,
     const float x = 0.5F * body.length;
     const float z = 0.5F * body.width;
     const Outline eavesWall = rectangle({-x, body.bottom}, {x, body.eaves});
-    const Outline gableWall{{-z, body.bottom},
-                            {z, body.bottom},
-                            {z, body.eaves},
-                            {0.0F, body.ridge},
-                            {-z, body.eaves}};
+    const Outline gableWall{
+        {-z, body.bottom}, {z, body.bottom}, {z, body.eaves}, {0.0F, body.ridge}, {-z, body.eaves}};
     builder.panel(body.wall(Side::Front), eavesWall, openings[0]);
     builder.panel(body.wall(Side::Right), gableWall, openings[1]);
     builder.panel(body.wall(Side::Back), eavesWall, openings[2]);
@@ -138,7 +135,8 @@ void addHouse(std::vector<ModelMesh>& meshes, const Plot& plot, int number, Pcg&
     const std::string name = "house " + std::to_string(number);
     const bool gableFront = plot.width < 11.0F && random.pick(3) != 0;
     const int storeys = 2 + (random.pick(8) == 0 ? 1 : 0);
-    const float eaves = pavement + storey * static_cast<float>(storeys) + random.uniform(0.1F, 0.7F);
+    const float eaves =
+        pavement + storey * static_cast<float>(storeys) + random.uniform(0.1F, 0.7F);
     const float length = gableFront ? plot.depth : plot.width;
     const float width = gableFront ? plot.width : plot.depth;
     const GableBody body{length, width, -0.1F, eaves, eaves + width * random.uniform(0.42F, 0.58F)};

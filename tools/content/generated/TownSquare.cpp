@@ -14,13 +14,9 @@ void addFountain(std::vector<ModelMesh>& meshes) {
     SolidBuilder water;
     stone.prism(regularPolygon(4.6F, 8, 0.3927F), -0.1F, 0.15F);
     stone.prism(regularPolygon(4.1F, 8, 0.3927F), 0.1F, 0.3F);
-    stone.lathe({{3.3F, 0.2F},
-                 {3.55F, 0.5F},
-                 {3.6F, 1.0F},
-                 {3.45F, 1.1F},
-                 {3.15F, 1.1F},
-                 {3.1F, 0.2F}},
-                12, true);
+    stone.lathe(
+        {{3.3F, 0.2F}, {3.55F, 0.5F}, {3.6F, 1.0F}, {3.45F, 1.1F}, {3.15F, 1.1F}, {3.1F, 0.2F}}, 12,
+        true);
     stone.lathe({{0.0F, 0.2F},
                  {0.75F, 0.2F},
                  {0.75F, 0.6F},

@@ -20,11 +20,11 @@ double turn(const Point& a, const Point& b, const Point& c) {
 /// Ear clipping after the holes were joined to the outline by bridges (Held 2001, without its
 /// hashing: the polygons here have tens of points).
 class EarClipper {
-  public:
+public:
     EarClipper(const Outline& outline, const std::vector<Outline>& holes);
     std::vector<std::array<std::size_t, 3>> clip();
 
-  private:
+private:
     const Point& at(std::size_t ringPlace) const { return points_[ring_[ringPlace]]; }
     std::size_t add(const Outline& outline, bool counterClockwise, std::vector<std::size_t>& ring);
     void bridge(const std::vector<std::size_t>& hole);
@@ -165,8 +165,7 @@ double EarClipper::earQuality(std::size_t place) const {
             return -1.0;
         }
     }
-    const double edges =
-        glm::dot(b - a, b - a) + glm::dot(c - b, c - b) + glm::dot(a - c, a - c);
+    const double edges = glm::dot(b - a, b - a) + glm::dot(c - b, c - b) + glm::dot(a - c, a - c);
     return area / edges;
 }
 

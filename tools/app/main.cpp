@@ -27,7 +27,11 @@ int run(int argc, char** argv) {
     aolib::app::addScenesCommand(program, failure);
     aolib::app::addDemoCommand(program, failure);
     const std::string first = argc > 1 ? argv[1] : "";
-    if (first.empty() || (first[0] != '-' && program.get_subcommand_no_throw(first) == nullptr)) {
+    const bool known =
+        !program
+             .get_subcommands([&](const CLI::App* command) { return command->get_name() == first; })
+             .empty();
+    if (!known && (first.empty() || first[0] != '-')) {
         std::cerr << "aolib: " << (first.empty() ? "a command is needed" : first + " is no command")
                   << "; \"aolib --help\" lists them\n";
         return exitWith(ExitCode::BadInput);

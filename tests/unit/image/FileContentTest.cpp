@@ -52,7 +52,7 @@ TEST_F(FileContentTest, WritersDoNotMix) {
     const std::vector<std::uint8_t> twos(1U << 15U, 2);
     ASSERT_FALSE(writeFile(path("a"), ones));
     const auto write = [&](const std::vector<std::uint8_t>& content) {
-        for (int i = 0; i < 50; ++i) {
+        for (int i = 0; i < 400; ++i) {
             EXPECT_FALSE(writeFile(path("a"), content));
         }
     };

@@ -21,6 +21,17 @@ TEST(CosineSampling, ConcentricDiscMapsSquaresToRings) {
     }
 }
 
+/// Neighbours stay neighbours, also across the diagonals where the formula changes.
+TEST(CosineSampling, ConcentricDiscIsContinuous) {
+    const double h = 1e-9;
+    for (const double t : {0.1, 0.3, 0.7, 0.9}) {
+        for (const double s : {t, 1.0 - t}) {
+            const glm::dvec2 here = concentricDisc({t + h, s});
+            EXPECT_NEAR(glm::distance(here, concentricDisc({t - h, s})), 0.0, 1e-7);
+        }
+    }
+}
+
 /// Equal areas of the square make equal areas of the disc: the Jacobian is pi everywhere.
 TEST(CosineSampling, ConcentricDiscPreservesArea) {
     const double h = 1e-6;

@@ -100,6 +100,21 @@ TEST(RayScene, TrianglesWithoutAreaAreLeftOut) {
     EXPECT_EQ(scene.mesh().triangleCount(), 4U);
 }
 
+/// Three points on one line, which rounding in the scene's frame spreads into a sliver: without
+/// area there is no normal, and so there must be no hit.
+TEST(RayScene, RoundingMakesNoSlivers) {
+    TriangleMesh mesh;
+    mesh.positions = {{0, 0, 0}, glm::vec3(1.1F), glm::vec3(3.3F), {1003.3F, 4.1F, 507.7F}};
+    mesh.indices = {0, 1, 2, 3, 3, 3};
+    const RayScene scene = sceneOf(mesh);
+    for (int i = 0; i < 20000; ++i) {
+        const glm::dvec3 target(3.3 * std::fmod(0.618 * i, 1.0));
+        const glm::dvec3 spread =
+            1e-4 * (glm::dvec3(std::fmod(0.755 * i, 1.0), std::fmod(0.57 * i, 1.0), 0.5) - 0.5);
+        ASSERT_FALSE(scene.occluded(target + spread + glm::dvec3(1, -2, 1), {-1, 2, -1})) << i;
+    }
+}
+
 TEST(RayScene, EmptyMeshIsNeverHit) {
     const RayScene scene = sceneOf({});
     EXPECT_FALSE(scene.intersect({0, 0, 0}, {1, 2, 3}));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -161,6 +162,14 @@ TEST(VisibilityTracer, NeighboursDoNotShareTheirNoise) {
     EXPECT_NEAR(1.0 - mean, wallOcclusion(2.0, 1.0), 4.0 * list.noise / 8.0);
     EXPECT_GT(rmse(list.visibility, std::vector<float>(64, static_cast<float>(mean))),
               list.noise / 2.0);
+}
+
+/// W under a smooth falloff is not counted in steps, so no two equal receivers agree by chance.
+TEST(VisibilityTracer, EveryReceiverHasItsOwnNoise) {
+    const RayScene scene = sceneOf(test::floorAndWall(2.0));
+    const std::vector<Receiver> receivers(64, Receiver{{1.0, 0.0, 0.0}, up});
+    const VisibilityList list = traced(scene, tracing(128, Falloff::Exp), receivers);
+    EXPECT_EQ(std::set<float>(list.visibility.begin(), list.visibility.end()).size(), 64U);
 }
 
 TEST(VisibilityTracer, CancelLeavesTheRestUntouched) {

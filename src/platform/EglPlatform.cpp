@@ -59,8 +59,8 @@ bool listsExtension(const char* list, const char* name) {
     if (list == nullptr) {
         return false;
     }
-    const std::string padded = " " + std::string(list) + " ";
-    return padded.find(" " + std::string(name) + " ") != std::string::npos;
+    const auto padded = [](const char* text) { return std::string(" ").append(text).append(" "); };
+    return padded(list).find(padded(name)) != std::string::npos;
 }
 
 std::string eglErrorName(EGLint error) {

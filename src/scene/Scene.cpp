@@ -9,6 +9,9 @@ namespace aolib {
 
 namespace {
 
+/// Distances below this share of a triangle's size are rounding.
+constexpr float kOnSurface = 1e-5F;
+
 /// The point of triangle a b c nearest to p (Ericson, Real-Time Collision Detection, 5.1.5).
 glm::vec3 nearestOnTriangle(const glm::vec3& p, const glm::vec3& a, const glm::vec3& b,
                             const glm::vec3& c) {
@@ -142,9 +145,12 @@ Scene::Clearance Scene::clearance(const glm::vec3& from) const {
             if (distance < best.distance) {
                 const glm::vec3 normal = glm::cross(b - a, c - a);
                 const float area = glm::length(normal);
-                best = {distance, distance > 0.0F ? offset / distance
-                                  : area > 0.0F   ? normal / area
-                                                  : best.away};
+                // On the triangle, within rounding, the offset has no direction: take the normal's.
+                const float rounding =
+                    kOnSurface * (glm::distance(from, a) + glm::distance(b, a));
+                best = {distance, distance > rounding ? offset / distance
+                                  : area > 0.0F       ? normal / area
+                                                      : best.away};
             }
         }
     }

@@ -88,7 +88,7 @@ NamedCamera framing(const char* name, const Bounds& bounds, const glm::vec3& fro
     camera.target = bounds.center();
     camera.eye = camera.target + distance * back;
     camera.fovyDeg = fovyDeg;
-    camera.near = 0.01F * size;
+    camera.near = 0.002F * size;
     camera.far = distance + size;
     return camera;
 }

@@ -30,7 +30,7 @@ void expectRefused(const std::string& glb, const std::string& reason) {
     EXPECT_EQ(model.sentence().find('\n'), std::string::npos) << model.sentence();
 }
 
-std::string refusedJson(const std::string& from, const std::string& to) {
+std::string changedJson(const std::string& from, const std::string& to) {
     return packGlb(replaced(quadJson(), from, to), quadBytes());
 }
 
@@ -75,6 +75,50 @@ TEST(GltfReaderTest, TakesMatricesAndInstancesOfOneMesh) {
     EXPECT_EQ(model->bounds().max.z, 5.0F);
 }
 
+TEST(GltfReaderTest, StripsAndFansKeepTheirFacing) {
+    // Over the corners 0 1 2 0 2 3 a strip turns its second triangle round.
+    const Loaded<Model> strip = read(changedJson(R"("indices":2)", R"("indices":2,"mode":5)"));
+    ASSERT_TRUE(strip.ok()) << strip.sentence();
+    EXPECT_EQ(strip->meshes[0].indices,
+              (std::vector<std::uint32_t>{0, 1, 2, 2, 1, 0, 2, 0, 2, 2, 0, 3}));
+    const Loaded<Model> fan = read(changedJson(R"("indices":2)", R"("mode":6)"));
+    ASSERT_TRUE(fan.ok()) << fan.sentence();
+    EXPECT_EQ(fan->meshes[0].indices, (std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}));
+}
+
+TEST(GltfReaderTest, SparseValuesReplaceTheVerticesTheyName) {
+    const std::string json = replaced(
+        quadJson(), R"({"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"})",
+        R"({"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","sparse":{"count":2,
+            "indices":{"bufferView":2,"byteOffset":2,"componentType":5123},
+            "values":{"bufferView":1,"byteOffset":12}}})");
+    const Loaded<Model> model = read(packGlb(json, quadBytes()));
+    ASSERT_TRUE(model.ok()) << model.sentence();
+    EXPECT_EQ(model->meshes[0].positions,
+              (std::vector<glm::vec3>{{0, 0, 0}, {0, 0, 1}, {0, 0, 1}, {0, 1, 0}}));
+}
+
+TEST(GltfReaderTest, QuantisedAndNormalisedPositionsBecomeFloats) {
+    const std::string bytes =
+        test::shortBytes({0, 0, 0, 0, 65535, 0, 0, 0, 0, 13107, 0, 0}) + std::string(84, '\0');
+    const auto reader = [&](const std::string& accessor) {
+        const std::string json = replaced(
+            replaced(replaced(quadJson(), R"("NORMAL":1},"indices":2)", R"("TANGENT":1})"),
+                     R"({"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"})", accessor),
+            R"("byteLength":48})", R"("byteLength":48,"byteStride":8})");
+        return read(packGlb(json, bytes));
+    };
+    const Loaded<Model> plain =
+        reader(R"({"bufferView":0,"componentType":5123,"count":3,"type":"VEC3"})");
+    ASSERT_TRUE(plain.ok()) << plain.sentence();
+    EXPECT_EQ(plain->meshes[0].positions[1], glm::vec3(65535, 0, 0));
+    const Loaded<Model> scaled = reader(
+        R"({"bufferView":0,"componentType":5123,"count":3,"type":"VEC3","normalized":true})");
+    ASSERT_TRUE(scaled.ok()) << scaled.sentence();
+    EXPECT_EQ(scaled->meshes[0].positions[1], glm::vec3(1, 0, 0));
+    EXPECT_NEAR(scaled->meshes[0].positions[2].y, 0.2F, 1e-6F);
+}
+
 TEST(GltfReaderTest, MissingImagesDoNotMatter) {
     const std::string extra = R"(,"images":[{"uri":"gone.png"},{"bufferView":77}],
         "textures":[{"source":0}],"materials":[{"pbrMetallicRoughness":
@@ -104,7 +148,7 @@ TEST(GltfReaderTest, RefusesGraphsThatAreNoTrees) {
     expectRefused(quadGlb(R"([{"children":[1,1]},{"mesh":0}])"), "reached twice");
     expectRefused(quadGlb(R"([{"children":[7],"mesh":0}])"), "node 7 does not exist");
     expectRefused(quadGlb(R"([{"mesh":3}])"), "names mesh 3, which does not exist");
-    expectRefused(refusedJson(R"("scene":0)", R"("scene":4)"), "default scene 4 does not exist");
+    expectRefused(changedJson(R"("scene":0)", R"("scene":4)"), "default scene 4 does not exist");
 }
 
 TEST(GltfReaderTest, RefusesTransformsThatAreNoTransforms) {
@@ -131,15 +175,15 @@ TEST(GltfReaderTest, RefusesValuesThatAreNotFinite) {
 }
 
 TEST(GltfReaderTest, RefusesBytesOutsideTheirBuffers) {
-    expectRefused(refusedJson(R"("count":4)", R"("count":5)"), "past the end of its buffer view");
-    expectRefused(refusedJson(R"("byteLength":48})", R"("byteLength":480})"),
+    expectRefused(changedJson(R"("count":4)", R"("count":5)"), "past the end of its buffer view");
+    expectRefused(changedJson(R"("byteLength":48})", R"("byteLength":480})"),
                   "past the end of its buffer");
-    expectRefused(refusedJson(R"("bufferView":0)", R"("bufferView":9)"), "buffer view 9");
-    expectRefused(refusedJson(R"("buffer":0)", R"("buffer":3)"), "buffer 3");
-    expectRefused(refusedJson(R"({"byteLength":108})", R"({"byteLength":1080})"),
+    expectRefused(changedJson(R"("bufferView":0)", R"("bufferView":9)"), "buffer view 9");
+    expectRefused(changedJson(R"("buffer":0)", R"("buffer":3)"), "buffer 3");
+    expectRefused(changedJson(R"({"byteLength":108})", R"({"byteLength":1080})"),
                   "should have 1080 bytes");
-    expectRefused(refusedJson(R"("count":4)", R"("count":18446744073709551615)"), "past the end");
-    expectRefused(refusedJson(R"("bufferView":0,"componentType":5126,"count":4)",
+    expectRefused(changedJson(R"("count":4)", R"("count":18446744073709551615)"), "past the end");
+    expectRefused(changedJson(R"("bufferView":0,"componentType":5126,"count":4)",
                               R"("componentType":5126,"count":999999999999)"),
                   "without any bytes");
 }
@@ -151,7 +195,7 @@ TEST(GltfReaderTest, RefusesDamagedContainers) {
     expectRefused(glb.substr(0, glb.size() - 1), "truncated, the header promises");
     expectRefused("not a glTF at all", "not valid JSON");
     expectRefused("[1,2]", "not an object");
-    expectRefused(refusedJson("\"asset\"", "\"basset\""), "not a usable glTF");
+    expectRefused(changedJson("\"asset\"", "\"basset\""), "not a usable glTF");
     expectRefused(replaced(glb, "JSON", "NOSJ"), "without a JSON chunk");
     expectRefused(replaced(glb, std::string("\2\0\0\0", 4), std::string("\1\0\0\0", 4)),
                   "container version 1");
@@ -164,7 +208,7 @@ TEST(GltfReaderTest, RefusesWhatItCannotRead) {
     expectRefused(
         quadGlb(R"([{"mesh":0}])", ",\"extras\":" + std::string(500, '[') + std::string(500, ']')),
         "nests deeper");
-    expectRefused(refusedJson(R"("indices":2)", R"("indices":2,"mode":1)"), "holds no triangles");
+    expectRefused(changedJson(R"("indices":2)", R"("indices":2,"mode":1)"), "holds no triangles");
     const Loaded<Model> unknown = readModel("x", "thing.stl");
     ASSERT_FALSE(unknown.ok());
     EXPECT_NE(unknown.sentence().find("thing.stl: not a model file"), std::string::npos);

@@ -63,6 +63,22 @@ TEST(TriangulationTest, CoversArches) {
                   roundArch({2, 0.5F}, {5, 5}, 12)});
 }
 
+TEST(TriangulationTest, BridgesOnlyToWhatAHoleSees) {
+    // The corner nearest to the hole is the tip of a spike behind a thin wall.
+    expectCovers({{0, 0},
+                  {10, 0},
+                  {10, 4},
+                  {1, 4},
+                  {1, 4.1F},
+                  {10, 4.1F},
+                  {10, 10},
+                  {6, 10},
+                  {5.5F, 4.3F},
+                  {5, 10},
+                  {0, 10}},
+                 {rectangle({5, 3}, {6, 3.8F})});
+}
+
 TEST(TriangulationTest, TakesHolesOfEitherWinding) {
     Outline hole = rectangle({1, 1}, {2, 2});
     expectCovers(rectangle({0, 0}, {3, 3}), {hole});

@@ -10,7 +10,7 @@ std::optional<double> parseNumber(const std::string& text) {
     double value = 0.0;
     const char* first = text.data();
     const char* last = first + text.size();
-    if (first != last && *first == '+') {
+    if (last - first > 1 && first[0] == '+' && first[1] != '-') {
         ++first;
     }
     const auto [end, error] = std::from_chars(first, last, value);

@@ -75,11 +75,14 @@ TEST_F(RenderGLTest, CaseFileGivesTheSamePixelsAsTheCommandLine) {
 
 TEST_F(RenderGLTest, PfmRowsGoFromBottomToTop) {
     // Seen level from above the plane: surface below, background (-1) above.
-    expectSuccess(joined({"render", "plane", "--eye", "0,0.2,0.4", "--target", "0,0.2,0", "--ao",
-                          "w.pfm", "--colour", "c.png", "--truth", "t.pfm", "--truth-rays", "8"},
-                         kSmall));
+    const std::vector<std::string> view =
+        joined({"plane", "--eye", "0,0.2,0.4", "--target", "0,0.2,0", "--width", "96"},
+               {"--height", "54"});
+    expectSuccess(joined({"render", "--ao", "w.pfm", "--face-size", "64"}, view));
+    expectSuccess(joined({"truth", "--out", "t.pfm", "--rays", "8"}, view));
     for (const char* file : {"w.pfm", "t.pfm"}) {
         const std::string bytes = bytesOf(file);
+        ASSERT_GT(bytes.size(), 96 * 54 * sizeof(float)) << file;
         const std::string header = bytes.substr(0, bytes.size() - 96 * 54 * sizeof(float));
         EXPECT_EQ(header.substr(0, 9), "Pf\n96 54\n") << file;
         std::vector<float> values(96 * 54);

@@ -16,13 +16,13 @@ inline void label(const Functions& gl, GLenum kind, GLuint name, const std::stri
 /// Groups the commands of its scope under a name for debuggers.
 class DebugGroup {
 public:
-    DebugGroup(const Functions& gl, const char* name) : gl_(gl) {
-        if (gl_.capabilities.debug) {
+    DebugGroup(const Functions& gl, const char* name) : gl_(gl), pushed_(hasRoom(gl)) {
+        if (pushed_) {
             gl_.PushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, -1, name);
         }
     }
     ~DebugGroup() {
-        if (gl_.capabilities.debug) {
+        if (pushed_) {
             gl_.PopDebugGroup();
         }
     }
@@ -30,7 +30,19 @@ public:
     DebugGroup& operator=(const DebugGroup&) = delete;
 
 private:
+    /// The host may have filled the stack of groups: a push would fail, and the pop be the host's.
+    static bool hasRoom(const Functions& gl) {
+        GLint depth = 0;
+        GLint limit = 0;
+        if (gl.capabilities.debug) {
+            gl.GetIntegerv(GL_DEBUG_GROUP_STACK_DEPTH, &depth);
+            gl.GetIntegerv(GL_MAX_DEBUG_GROUP_STACK_DEPTH, &limit);
+        }
+        return depth < limit;
+    }
+
     const Functions& gl_;
+    const bool pushed_;
 };
 
 } // namespace aolib::gl

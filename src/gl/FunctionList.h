@@ -11,6 +11,7 @@
     X(PFNGLBINDSAMPLERPROC, BindSampler)                                                           \
     X(PFNGLBINDTEXTUREPROC, BindTexture)                                                           \
     X(PFNGLBINDVERTEXARRAYPROC, BindVertexArray)                                                   \
+    X(PFNGLBLENDEQUATIONPROC, BlendEquation)                                                       \
     X(PFNGLBLENDEQUATIONSEPARATEPROC, BlendEquationSeparate)                                       \
     X(PFNGLBLENDFUNCSEPARATEPROC, BlendFuncSeparate)                                               \
     X(PFNGLBLITFRAMEBUFFERPROC, BlitFramebuffer)                                                   \
@@ -117,6 +118,7 @@
 /// ... and those behind a capability check. PixelTransferf exists in compatibility contexts only.
 #define AOLIB_GL_OPTIONAL(X)                                                                       \
     X(PFNGLBLENDEQUATIONSEPARATEIPROC, BlendEquationSeparatei)                                     \
+    X(PFNGLBLENDEQUATIONIPROC, BlendEquationi)                                                     \
     X(PFNGLBLENDFUNCSEPARATEIPROC, BlendFuncSeparatei)                                             \
     X(PFNGLCLIPCONTROLPROC, ClipControl)                                                           \
     X(PFNGLDEPTHRANGEINDEXEDPROC, DepthRangeIndexed)                                               \

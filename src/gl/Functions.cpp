@@ -47,8 +47,8 @@ Functions::Capabilities capabilitiesOf(const Functions& gl, int version) {
         (integer(gl, GL_CONTEXT_PROFILE_MASK) == 0 &&
          extensions.count("GL_ARB_compatibility") != 0);
     can.clipControl = has(45, "GL_ARB_clip_control", gl.ClipControl);
-    can.indexedBlend =
-        has(40, "GL_ARB_draw_buffers_blend", gl.BlendFuncSeparatei, gl.BlendEquationSeparatei);
+    can.indexedBlend = has(40, "GL_ARB_draw_buffers_blend", gl.BlendFuncSeparatei,
+                           gl.BlendEquationSeparatei, gl.BlendEquationi);
     can.viewportArray = has(41, "GL_ARB_viewport_array", gl.ViewportIndexedfv, gl.GetFloati_v,
                             gl.DepthRangeIndexed, gl.GetDoublei_v);
     can.pauseFeedback = has(40, "GL_ARB_transform_feedback2", gl.PauseTransformFeedback,
@@ -56,6 +56,9 @@ Functions::Capabilities capabilitiesOf(const Functions& gl, int version) {
     can.sampleShading = has(40, "GL_ARB_sample_shading", gl.MinSampleShading);
     can.fixedIndexRestart = has(43, "GL_ARB_ES3_compatibility");
     can.debug = has(43, "GL_KHR_debug", gl.ObjectLabel, gl.PushDebugGroup, gl.PopDebugGroup);
+    can.conservativeQuery = has(43, "GL_ARB_ES3_compatibility");
+    can.queryBuffer = has(44, "GL_ARB_query_buffer_object") ||
+                      extensions.count("GL_AMD_query_buffer_object") != 0;
     can.maxTextureSize = integer(gl, GL_MAX_TEXTURE_SIZE);
     can.maxTextureUnits = integer(gl, GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS);
     can.maxDrawBuffers = integer(gl, GL_MAX_DRAW_BUFFERS);

@@ -31,6 +31,8 @@ struct Functions {
         bool sampleShading = false;     ///< GL 4.0 or ARB_sample_shading
         bool fixedIndexRestart = false; ///< GL 4.3 or ARB_ES3_compatibility
         bool debug = false;             ///< GL 4.3 or KHR_debug
+        bool queryBuffer = false;       ///< GL 4.4 or ARB_query_buffer_object
+        bool conservativeQuery = false; ///< GL 4.3 or ARB_ES3_compatibility
         int maxTextureSize = 0;
         int maxTextureUnits = 0; ///< of all stages together
         int maxDrawBuffers = 0;

@@ -2,6 +2,34 @@
 
 namespace aolib::gl {
 
+namespace {
+
+/// Takes a query buffer of the host's aside: with one bound, results go into it.
+class ResultsToMemory {
+public:
+    explicit ResultsToMemory(const Functions& gl) : gl_(gl) {
+        if (gl_.capabilities.queryBuffer) {
+            gl_.GetIntegerv(GL_QUERY_BUFFER_BINDING, &buffer_);
+        }
+        if (buffer_ != 0) {
+            gl_.BindBuffer(GL_QUERY_BUFFER, 0);
+        }
+    }
+    ~ResultsToMemory() {
+        if (buffer_ != 0) {
+            gl_.BindBuffer(GL_QUERY_BUFFER, static_cast<GLuint>(buffer_));
+        }
+    }
+    ResultsToMemory(const ResultsToMemory&) = delete;
+    ResultsToMemory& operator=(const ResultsToMemory&) = delete;
+
+private:
+    const Functions& gl_;
+    GLint buffer_ = 0;
+};
+
+} // namespace
+
 Result<GpuTimer> GpuTimer::create(const Functions& gl) {
     GpuTimer timer;
     timer.gl_ = &gl;
@@ -33,6 +61,7 @@ double GpuTimer::milliseconds() {
     if (state_ != State::Pending) {
         return milliseconds_;
     }
+    const ResultsToMemory memory(*gl_); // also asked for outside a StateGuard
     GLint available = GL_FALSE;
     gl_->GetQueryObjectiv(queries_[1].name(), GL_QUERY_RESULT_AVAILABLE, &available);
     if (available == GL_TRUE) {

@@ -163,6 +163,9 @@ void StateGuard::saveBindings() {
     arrayBuffer_ = integer(gl_, GL_ARRAY_BUFFER_BINDING);
     packBuffer_ = integer(gl_, GL_PIXEL_PACK_BUFFER_BINDING);
     unpackBuffer_ = integer(gl_, GL_PIXEL_UNPACK_BUFFER_BINDING);
+    if (gl_.capabilities.queryBuffer) {
+        queryBuffer_ = integer(gl_, GL_QUERY_BUFFER_BINDING);
+    }
     activeTexture_ = integer(gl_, GL_ACTIVE_TEXTURE);
     for (std::size_t i = 0; i < textureUnits_.size(); ++i) {
         gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
@@ -183,6 +186,9 @@ void StateGuard::restoreBindings() const {
     gl_.BindBuffer(GL_ARRAY_BUFFER, static_cast<GLuint>(arrayBuffer_));
     gl_.BindBuffer(GL_PIXEL_PACK_BUFFER, static_cast<GLuint>(packBuffer_));
     gl_.BindBuffer(GL_PIXEL_UNPACK_BUFFER, static_cast<GLuint>(unpackBuffer_));
+    if (gl_.capabilities.queryBuffer) {
+        gl_.BindBuffer(GL_QUERY_BUFFER, static_cast<GLuint>(queryBuffer_));
+    }
     for (std::size_t i = 0; i < textureUnits_.size(); ++i) {
         gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
         gl_.BindTexture(GL_TEXTURE_2D, static_cast<GLuint>(textureUnits_[i].texture));
@@ -288,15 +294,25 @@ void StateGuard::restoreBlendState() const {
         std::copy(blend_[i].equations.begin(), blend_[i].equations.end(), e.begin());
         if (gl_.capabilities.indexedBlend) {
             gl_.BlendFuncSeparatei(static_cast<GLuint>(i), f[0], f[1], f[2], f[3]);
-            gl_.BlendEquationSeparatei(static_cast<GLuint>(i), e[0], e[1]);
         } else {
             gl_.BlendFuncSeparate(f[0], f[1], f[2], f[3]);
-            gl_.BlendEquationSeparate(e[0], e[1]);
         }
+        restoreBlendEquation(static_cast<GLuint>(i), e[0], e[1]);
     }
     for (std::size_t i = 0; i < colorMasks_.size(); ++i) {
         const std::array<GLboolean, 4>& m = colorMasks_[i];
         gl_.ColorMaski(static_cast<GLuint>(i), m[0], m[1], m[2], m[3]);
+    }
+}
+
+void StateGuard::restoreBlendEquation(GLuint buffer, GLenum colour, GLenum alpha) const {
+    // The advanced equations of KHR_blend_equation_advanced exist for both at once only.
+    const bool indexed = gl_.capabilities.indexedBlend;
+    if (colour == alpha) {
+        indexed ? gl_.BlendEquationi(buffer, colour) : gl_.BlendEquation(colour);
+    } else {
+        indexed ? gl_.BlendEquationSeparatei(buffer, colour, alpha)
+                : gl_.BlendEquationSeparate(colour, alpha);
     }
 }
 
@@ -338,6 +354,9 @@ void StateGuard::setCleanSlate() const {
     }
     gl_.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
     gl_.BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+    if (gl_.capabilities.queryBuffer) {
+        gl_.BindBuffer(GL_QUERY_BUFFER, 0);
+    }
     for (int i = 0; i < kTextureUnits; ++i) {
         gl_.BindSampler(static_cast<GLuint>(i), 0);
     }
@@ -358,6 +377,8 @@ void StateGuard::setCleanSlate() const {
     gl_.DepthRange(0.0, 1.0);
     gl_.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     gl_.LineWidth(1.0F);
+    // Even with blending off, Mesa refuses to draw to several targets with a dual-source function.
+    gl_.BlendFuncSeparate(GL_ONE, GL_ZERO, GL_ONE, GL_ZERO);
     gl_.BlendEquationSeparate(GL_FUNC_ADD, GL_FUNC_ADD);
     gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     if (gl_.capabilities.clipControl) {

@@ -66,6 +66,7 @@ private:
     void restorePixelPaths() const;
     void restoreRasterState() const;
     void restoreBlendState() const;
+    void restoreBlendEquation(GLuint buffer, GLenum colour, GLenum alpha) const;
     void restoreViewports() const;
 
     const Functions& gl_;
@@ -80,6 +81,7 @@ private:
     GLint arrayBuffer_ = 0;
     GLint packBuffer_ = 0;
     GLint unpackBuffer_ = 0;
+    GLint queryBuffer_ = 0;
     GLint activeTexture_ = 0;
     std::array<TextureUnit, kTextureUnits> textureUnits_{};
 

@@ -12,6 +12,17 @@ namespace {
 
 constexpr int kBoxVertices = 36;
 
+/// The kinds of occlusion queries exclude each other.
+bool hostCountsSamples(const gl::Functions& gl) {
+    const auto runs = [&](GLenum kind) {
+        GLint query = 0;
+        gl.GetQueryiv(kind, GL_CURRENT_QUERY, &query);
+        return query != 0;
+    };
+    return runs(GL_SAMPLES_PASSED) || runs(GL_ANY_SAMPLES_PASSED) ||
+           (gl.capabilities.conservativeQuery && runs(GL_ANY_SAMPLES_PASSED_CONSERVATIVE));
+}
+
 } // namespace
 
 Result<SightTest> SightTest::create(const BackboneContext& context) {
@@ -33,11 +44,9 @@ bool SightTest::sees(const BackboneContext& context, const CubeMapProjector& pro
         return false;
     }
     const float nearest = glm::distance(centre, glm::clamp(centre, region.min, region.max));
-    GLint running = 0;
-    gl.GetQueryiv(GL_ANY_SAMPLES_PASSED, GL_CURRENT_QUERY, &running);
-    // Inside the region, or while the host's own query of this kind runs: no need, or no way, to
+    // Inside the region, or while an occlusion query of the host's runs: no need, or no way, to
     // ask.
-    if (nearest <= 0.0F || running != 0) {
+    if (nearest <= 0.0F || hostCountsSamples(gl)) {
         return true;
     }
     auto target = gl::RenderToTexture2D::create(gl, {.width = projector.faceSize(),

@@ -25,7 +25,8 @@ inline constexpr std::array kBackboneChoices{
     OptionChoice<Backbone>{Backbone::Cubemapped, "cubemapped"},
     OptionChoice<Backbone>{Backbone::ScreenSpace, "screenspace"}};
 inline constexpr std::array kEstimatorChoices{
-    OptionChoice<Estimator>{Estimator::HorizonSplit, "horizon-split"}};
+    OptionChoice<Estimator>{Estimator::HorizonSplit, "horizon-split"},
+    OptionChoice<Estimator>{Estimator::LayeredIntervals, "layered-intervals"}};
 inline constexpr std::array kFalloffChoices{OptionChoice<Falloff>{Falloff::Step, "step"},
                                             OptionChoice<Falloff>{Falloff::Exp, "exp"},
                                             OptionChoice<Falloff>{Falloff::None, "none"}};
@@ -59,6 +60,14 @@ void visitOptions(OptionsType& o, Visitor&& visit) {
           "horizon-split: samples per direction");
     visit("step-size", o.horizonSplit.stepSize, OptionRange{0.0, kMaxFloat},
           "horizon-split: world units between samples; 0 = radius / steps");
+    visit("slices", o.layeredIntervals.slices, OptionRange{1, 128},
+          "layered-intervals: slices of the hemisphere");
+    visit("slice-steps", o.layeredIntervals.steps, OptionRange{1, 256},
+          "layered-intervals: samples per slice and side");
+    visit("layers", o.layeredIntervals.layers, OptionRange{1, 8},
+          "layered-intervals: most solid intervals along a ray");
+    visit("thickness", o.layeredIntervals.thickness, OptionRange{0.0, kMaxFloat},
+          "layered-intervals in screen space: depth of what is seen, world units; 0 = radius / 4");
     visit("face-size", o.cubeMaps.faceSize, OptionRange{16, 4096},
           "cube map: texels per face edge");
     visit("nearest", o.cubeMaps.nearest, OptionRange{1, 64}, "cube maps projected per frame");

@@ -19,7 +19,8 @@ enum class Backbone : std::uint8_t {
 
 /// How visibility is estimated from captured geometry.
 enum class Estimator : std::uint8_t {
-    HorizonSplit, ///< thesis 4.3.1: the highest horizon over a number of directions
+    HorizonSplit,     ///< thesis 4.3.1: the highest horizon over a number of directions
+    LayeredIntervals, ///< slices through the cube's centre over layers of solid intervals
 };
 
 /// What `aoDrawEnd()` shows in place of the host's picture. `None` is the normal composite.
@@ -39,6 +40,18 @@ struct HorizonSplitOptions {
     int directions = 16;   ///< slices about the normal, count, 1 to 128
     int steps = 16;        ///< samples per direction, count, 1 to 256
     float stepSize = 0.0F; ///< world units between samples; 0 derives radius / steps
+
+    bool operator==(const HorizonSplitOptions&) const = default;
+};
+
+/// Settings of `Estimator::LayeredIntervals`.
+struct LayeredIntervalsOptions {
+    int slices = 8;         ///< half turns about the axis to the cube's centre, count, 1 to 128
+    int steps = 16;         ///< samples per slice and side, count, 1 to 256
+    int layers = 8;         ///< most solid intervals kept along a ray, count, 1 to 8
+    float thickness = 0.0F; ///< screen space only: assumed depth of what is seen; 0 = radius / 4
+
+    bool operator==(const LayeredIntervalsOptions&) const = default;
 };
 
 /// Settings of `Backbone::Cubemapped`.
@@ -59,11 +72,12 @@ struct BlurOptions {
 /// Everything a host may set. An aggregate: take the defaults and change what matters.
 struct Options {
     Backbone backbone = Backbone::Cubemapped;
-    Estimator estimator = Estimator::HorizonSplit;
+    Estimator estimator = Estimator::LayeredIntervals;
     float radius = 0.0F; ///< world units; 0 derives 10% of the diagonal of the scene's bounding box
     Falloff falloff = Falloff::Step;
     float contrast = 1.0F; ///< alpha of thesis eq. 4.11, i = i_s ((1 - a) + a W); 0 to 1
     HorizonSplitOptions horizonSplit;
+    LayeredIntervalsOptions layeredIntervals;
     CubeMapOptions cubeMaps;
     BlurOptions blur;
     DebugView debugView = DebugView::None;

@@ -13,10 +13,12 @@ namespace aolib {
 /// One cube map as it stands.
 struct CubeMapInfo {
     CubeMapId id{};
-    glm::vec3 position{};   ///< world units
-    int faceSize = 0;       ///< texels along a face's edge
-    int facesModelled = 0;  ///< faces that hold geometry; the others cost no capture and no AO
-    std::size_t bytes = 0;  ///< GPU memory kept
+    glm::vec3 position{};  ///< world units
+    int faceSize = 0;      ///< texels along a face's edge
+    int facesModelled = 0; ///< faces that hold geometry; the others cost no capture and no AO
+    int layers = 0;        ///< layers of solid intervals that the last build captured
+    std::size_t bytes = 0; ///< GPU memory kept
+    std::size_t captureBytes = 0; ///< GPU memory that the last build took and gave back
     double buildMs = 0.0;   ///< CPU time from the start of its build until GL took the last command
     double buildGpuMs = -1; ///< GPU time of the last build; -1 until the timer query has answered
 };
@@ -31,8 +33,7 @@ struct Statistics {
     double frameGpuMs = -1.0;   ///< GPU time of aolib's passes in an earlier frame; -1 until known
     std::size_t bytesKept = 0;  ///< GPU memory of all cube maps
     std::size_t bytesFrame = 0; ///< GPU memory of the per-frame targets
-    std::size_t bytesCapture = 0; ///< GPU memory of the capture target while a cube map is built
-    std::size_t bytesScene = 0;   ///< GPU memory of the scene's triangles
+    std::size_t bytesScene = 0; ///< GPU memory of the scene's triangles
 };
 
 /// Ambient occlusion of the latest frame, as it was blended: row 0 is the bottom row.

@@ -8,11 +8,17 @@
 
 namespace aolib {
 
-/// The estimator's name in the paths of its shaders: "horizon_split" of
-/// cubemap/visibility_horizon_split.frag.
-std::string_view estimatorShader(Estimator estimator);
+/// What the rooms need to know of an estimator: one line each in Estimators.cpp.
+struct EstimatorTraits {
+    std::string_view shader; ///< in the paths of its shaders: cubemap/visibility_<shader>.frag
+    bool layered; ///< reads layers of solid intervals instead of the nearest surface alone
+};
+EstimatorTraits traitsOf(Estimator estimator);
 
 /// Sets the uniforms that the estimator's shader reads. @param radius  in force, world units.
 void setEstimatorUniforms(gl::GLSLShader& shader, const Options& options, float radius);
+
+/// Whether two sets of options give the same estimate, but for the radius.
+bool sameEstimate(const Options& a, const Options& b);
 
 } // namespace aolib

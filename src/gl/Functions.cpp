@@ -60,6 +60,7 @@ Functions::Capabilities capabilitiesOf(const Functions& gl, int version) {
     can.queryBuffer = has(44, "GL_ARB_query_buffer_object") ||
                       extensions.count("GL_AMD_query_buffer_object") != 0;
     can.maxTextureSize = integer(gl, GL_MAX_TEXTURE_SIZE);
+    can.maxTextureLayers = integer(gl, GL_MAX_ARRAY_TEXTURE_LAYERS);
     can.maxTextureUnits = integer(gl, GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS);
     can.maxDrawBuffers = integer(gl, GL_MAX_DRAW_BUFFERS);
     can.maxViewports = can.viewportArray ? integer(gl, GL_MAX_VIEWPORTS) : 1;

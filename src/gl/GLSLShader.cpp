@@ -136,6 +136,9 @@ void GLSLShader::set(const char* name, const glm::vec3& value) {
 void GLSLShader::set(const char* name, const glm::vec4& value) {
     gl_->Uniform4f(location(name), value.x, value.y, value.z, value.w);
 }
+void GLSLShader::set(const char* name, std::span<const float> values) {
+    gl_->Uniform1fv(location(name), static_cast<GLsizei>(values.size()), values.data());
+}
 void GLSLShader::set(const char* name, const glm::mat3& value) {
     gl_->UniformMatrix3fv(location(name), 1, GL_FALSE, glm::value_ptr(value));
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -44,6 +45,7 @@ public:
     void set(const char* name, const glm::vec2& value);
     void set(const char* name, const glm::vec3& value);
     void set(const char* name, const glm::vec4& value);
+    void set(const char* name, std::span<const float> values);
     void set(const char* name, const glm::mat3& value);
     void set(const char* name, const glm::mat4& value);
 

@@ -169,7 +169,9 @@ void StateGuard::saveBindings() {
     activeTexture_ = integer(gl_, GL_ACTIVE_TEXTURE);
     for (std::size_t i = 0; i < textureUnits_.size(); ++i) {
         gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
-        textureUnits_[i] = {integer(gl_, GL_TEXTURE_BINDING_2D), integer(gl_, GL_SAMPLER_BINDING)};
+        textureUnits_[i] = {integer(gl_, GL_TEXTURE_BINDING_2D),
+                            integer(gl_, GL_TEXTURE_BINDING_2D_ARRAY),
+                            integer(gl_, GL_SAMPLER_BINDING)};
     }
     if (gl_.capabilities.pauseFeedback && integer(gl_, GL_TRANSFORM_FEEDBACK_ACTIVE) == GL_TRUE &&
         integer(gl_, GL_TRANSFORM_FEEDBACK_PAUSED) == GL_FALSE) {
@@ -192,6 +194,7 @@ void StateGuard::restoreBindings() const {
     for (std::size_t i = 0; i < textureUnits_.size(); ++i) {
         gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
         gl_.BindTexture(GL_TEXTURE_2D, static_cast<GLuint>(textureUnits_[i].texture));
+        gl_.BindTexture(GL_TEXTURE_2D_ARRAY, static_cast<GLuint>(textureUnits_[i].textureArray));
         gl_.BindSampler(static_cast<GLuint>(i), static_cast<GLuint>(textureUnits_[i].sampler));
     }
     gl_.ActiveTexture(static_cast<GLenum>(activeTexture_));

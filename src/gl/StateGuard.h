@@ -47,6 +47,7 @@ private:
     };
     struct TextureUnit {
         GLint texture;
+        GLint textureArray;
         GLint sampler;
     };
     struct BlendState {

@@ -16,49 +16,42 @@ Result<VertexArray> VertexArray::createEmpty(const Functions& gl, const std::str
     return array;
 }
 
-Result<VertexArray> VertexArray::createTriangles(const Functions& gl,
-                                                 std::span<const glm::vec3> positions,
-                                                 std::span<const glm::vec3> normals,
-                                                 std::span<const std::uint32_t> indices,
+Result<VertexArray> VertexArray::createTriangles(const Functions& gl, const Triangles& triangles,
                                                  const std::string& label) {
     Result<VertexArray> created = createEmpty(gl, label);
     if (!created) {
         return created;
     }
     VertexArray& array = *created;
-    const auto fill = [&](Buffer& buffer, GLenum target, std::size_t bytes, const void* data,
-                          const char* part) -> Status {
-        Result<Buffer> filled =
-            Buffer::create(gl, target, bytes, data, GL_STATIC_DRAW, label + part);
+    Status status;
+    const auto fill = [&](Buffer& buffer, GLenum target, auto content, const char* part) {
+        if (!status || content.empty()) {
+            return;
+        }
+        Result<Buffer> filled = Buffer::create(gl, target, content.size_bytes(), content.data(),
+                                               GL_STATIC_DRAW, label + part);
+        status = filled.status();
         if (filled) {
             buffer = std::move(*filled);
         }
-        return filled.status();
     };
-    const auto attribute = [&](GLuint location) {
-        gl.EnableVertexAttribArray(location);
-        gl.VertexAttribPointer(location, 3, GL_FLOAT, GL_FALSE, sizeof(glm::vec3), nullptr);
-    };
-    if (Status status = fill(array.positions_, GL_ARRAY_BUFFER, positions.size_bytes(),
-                             positions.data(), "/positions");
-        !status) {
-        return status;
-    }
-    attribute(0);
-    if (!normals.empty()) {
-        if (Status status = fill(array.normals_, GL_ARRAY_BUFFER, normals.size_bytes(),
-                                 normals.data(), "/normals");
-            !status) {
-            return status;
+    const auto attribute = [&](GLuint location, const Buffer& buffer, GLint components) {
+        if (status && buffer.bytes() != 0) {
+            gl.EnableVertexAttribArray(location);
+            gl.VertexAttribPointer(location, components, GL_FLOAT, GL_FALSE, 0, nullptr);
         }
-        attribute(1);
-    }
-    if (Status status = fill(array.indices_, GL_ELEMENT_ARRAY_BUFFER, indices.size_bytes(),
-                             indices.data(), "/indices");
-        !status) {
+    };
+    fill(array.positions_, GL_ARRAY_BUFFER, triangles.positions, "/positions");
+    attribute(0, array.positions_, 3);
+    fill(array.normals_, GL_ARRAY_BUFFER, triangles.normals, "/normals");
+    attribute(1, array.normals_, 3);
+    fill(array.solids_, GL_ARRAY_BUFFER, triangles.solids, "/solids");
+    attribute(2, array.solids_, 1);
+    fill(array.indices_, GL_ELEMENT_ARRAY_BUFFER, triangles.indices, "/indices");
+    if (!status) {
         return status;
     }
-    array.indexCount_ = static_cast<GLsizei>(indices.size());
+    array.indexCount_ = static_cast<GLsizei>(triangles.indices.size());
     return created;
 }
 

@@ -10,17 +10,22 @@
 
 namespace aolib::gl {
 
-/// Vertices in GPU memory, ready to draw: positions at location 0, normals (if any) at location 1.
+/// Vertices in GPU memory, ready to draw: positions at location 0, normals and numbers of solids
+/// (if any) at locations 1 and 2.
 class VertexArray {
 public:
     VertexArray() = default;
     /// No vertices at all: for passes that make theirs from gl_VertexID. Errors: OutOfMemory.
     static Result<VertexArray> createEmpty(const Functions& gl, const std::string& label);
-    /// Indexed triangles; `normals` may be empty. Errors: OutOfMemory.
-    static Result<VertexArray> createTriangles(const Functions& gl,
-                                               std::span<const glm::vec3> positions,
-                                               std::span<const glm::vec3> normals,
-                                               std::span<const std::uint32_t> indices,
+    /// What the triangles are made of; `normals` and `solids` may be empty.
+    struct Triangles {
+        std::span<const glm::vec3> positions;
+        std::span<const glm::vec3> normals;
+        std::span<const float> solids; ///< per vertex, location 2
+        std::span<const std::uint32_t> indices;
+    };
+    /// Indexed triangles. Errors: OutOfMemory.
+    static Result<VertexArray> createTriangles(const Functions& gl, const Triangles& triangles,
                                                const std::string& label);
 
     /// Draws the indexed triangles.
@@ -31,13 +36,16 @@ public:
     void drawFullscreen() const { drawGenerated(GL_TRIANGLES, 3); }
 
     bool hasNormals() const { return normals_.bytes() != 0; }
-    std::size_t bytes() const { return positions_.bytes() + normals_.bytes() + indices_.bytes(); }
+    std::size_t bytes() const {
+        return positions_.bytes() + normals_.bytes() + solids_.bytes() + indices_.bytes();
+    }
 
 private:
     const Functions* gl_ = nullptr;
     VertexArrayName name_;
     Buffer positions_;
     Buffer normals_;
+    Buffer solids_;
     Buffer indices_;
     GLsizei indexCount_ = 0;
 };

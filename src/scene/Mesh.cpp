@@ -16,10 +16,6 @@ std::string text(const glm::vec3& v) {
 
 } // namespace
 
-bool isFinite(const glm::vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
 Status checkTransform(const glm::mat4& transform) {
     for (int column = 0; column < 4; ++column) {
         for (int row = 0; row < 4; ++row) {

@@ -10,6 +10,7 @@
 #include <aolib/Status.h>
 
 #include "scene/Bounds.h"
+#include "scene/Finite.h"
 
 namespace aolib {
 
@@ -30,7 +31,5 @@ Result<Mesh> makeMesh(const MeshData& data);
 
 /// Ok if every element of the matrix is finite. Errors: InvalidPosition.
 Status checkTransform(const glm::mat4& transform);
-
-bool isFinite(const glm::vec3& v);
 
 } // namespace aolib

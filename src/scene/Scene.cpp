@@ -146,8 +146,7 @@ Scene::Clearance Scene::clearance(const glm::vec3& from) const {
                 const glm::vec3 normal = glm::cross(b - a, c - a);
                 const float area = glm::length(normal);
                 // On the triangle, within rounding, the offset has no direction: take the normal's.
-                const float rounding =
-                    kOnSurface * (glm::distance(from, a) + glm::distance(b, a));
+                const float rounding = kOnSurface * (glm::distance(from, a) + glm::distance(b, a));
                 best = {distance, distance > rounding ? offset / distance
                                   : area > 0.0F       ? normal / area
                                                       : best.away};

@@ -188,10 +188,6 @@ void GltfMeshReader::applyMaterial(int index, ModelMesh& mesh) const {
 
 } // namespace
 
-bool isFinite(const glm::vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
 Loaded<std::vector<ModelMesh>> readGltfMesh(const GltfDocument& document, std::size_t index) {
     return GltfMeshReader(document).read(index);
 }

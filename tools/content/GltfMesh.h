@@ -6,14 +6,12 @@
 #include "content/GltfDocument.h"
 #include "content/Loaded.h"
 #include "content/Model.h"
+#include "scene/Finite.h"
 
 namespace aolib {
 
 /// The parts of one glTF mesh that hold triangles, not yet placed. Strips and fans become
 /// triangles; points and lines are left out. `index` is in range.
 Loaded<std::vector<ModelMesh>> readGltfMesh(const GltfDocument& document, std::size_t index);
-
-/// Whether no component is infinite or NaN.
-bool isFinite(const glm::vec3& v);
 
 } // namespace aolib

@@ -34,24 +34,17 @@ Result<HostRenderer> HostRenderer::create(const gl::Functions& gl, const Model& 
         return sky.status();
     }
     renderer.sky_ = std::move(*sky);
-    Result<gl::VertexArray> empty = gl::VertexArray::createEmpty(gl, "host/sky");
-    if (!empty) {
-        return empty.status();
-    }
-    renderer.empty_ = std::move(*empty);
+    renderer.empty_ = gl::generate<gl::VertexArrayName>(gl, &gl::Functions::GenVertexArrays);
     for (const ModelMesh& mesh : model.meshes) {
         if (mesh.indices.empty()) {
             continue;
         }
-        Result<gl::VertexArray> triangles = gl::VertexArray::createTriangles(
-            gl, mesh.positions, mesh.normals, mesh.indices, "host/" + mesh.name);
-        if (!triangles) {
-            return triangles.status();
+        Result<HostMesh> uploaded = HostMesh::create(gl, mesh);
+        if (!uploaded) {
+            return uploaded.status();
         }
-        renderer.pieces_.push_back(
-            {std::move(*triangles), mesh.transform, glm::vec3(mesh.baseColour)});
+        renderer.meshes_.push_back(std::move(*uploaded));
     }
-    gl.BindVertexArray(0);
     return renderer;
 }
 
@@ -65,7 +58,7 @@ void HostRenderer::draw(const glm::mat4& view, const glm::mat4& projection) {
     gl_->ClearBufferfv(GL_COLOR, 0, kBlack.data());
     gl_->ClearBufferfi(GL_DEPTH_STENCIL, 0, 1.0F, 0);
     drawSky(view, projection);
-    drawPieces(view, projection);
+    drawMeshes(view, projection);
     gl_->BindVertexArray(0);
     gl_->UseProgram(0);
 }
@@ -75,10 +68,11 @@ void HostRenderer::drawSky(const glm::mat4& view, const glm::mat4& projection) {
     sky_.bind();
     sky_.set("inverseProjection", glm::inverse(projection));
     sky_.set("eyeToWorld", glm::inverse(glm::mat3(view)));
-    empty_.drawFullscreen();
+    gl_->BindVertexArray(empty_.name());
+    gl_->DrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void HostRenderer::drawPieces(const glm::mat4& view, const glm::mat4& projection) {
+void HostRenderer::drawMeshes(const glm::mat4& view, const glm::mat4& projection) {
     gl_->Enable(GL_DEPTH_TEST);
     gl_->DepthFunc(GL_LESS);
     surface_.bind();
@@ -86,13 +80,13 @@ void HostRenderer::drawPieces(const glm::mat4& view, const glm::mat4& projection
     surface_.set("perspective", projection[3][3] == 0.0F ? 1 : 0);
     surface_.set("lightDirection", glm::mat3(view) * kLightDirection);
     surface_.set("upDirection", glm::mat3(view) * kUpDirection);
-    for (const Piece& piece : pieces_) {
-        const glm::mat4 modelView(glm::dmat4(view) * glm::dmat4(piece.transform));
+    for (const HostMesh& mesh : meshes_) {
+        const glm::mat4 modelView(glm::dmat4(view) * glm::dmat4(mesh.transform()));
         surface_.set("modelView", modelView);
         surface_.set("normalMatrix", glm::inverseTranspose(glm::mat3(modelView)));
-        surface_.set("baseColour", piece.colour);
-        surface_.set("hasNormals", piece.triangles.hasNormals() ? 1 : 0);
-        piece.triangles.drawTriangles();
+        surface_.set("baseColour", mesh.colour());
+        surface_.set("hasNormals", mesh.hasNormals() ? 1 : 0);
+        mesh.draw();
     }
 }
 

@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "backbone/Estimators.h"
 #include "backbone/cubemapped/Placement.h"
 
 namespace aolib {
@@ -120,21 +121,16 @@ void BackboneCubemapped::markAllDirty() {
 }
 
 void BackboneCubemapped::optionsChanged(const Options& before) {
-    const Options& now = context_.options;
-    const HorizonSplitOptions& a = before.horizonSplit;
-    const HorizonSplitOptions& b = now.horizonSplit;
-    const bool sameEstimate = before.estimator == now.estimator && before.falloff == now.falloff &&
-                              a.directions == b.directions && a.steps == b.steps &&
-                              a.stepSize == b.stepSize &&
-                              before.cubeMaps.faceSize == now.cubeMaps.faceSize;
-    if (!sameEstimate) { // a change of the radius is noticed where it is used
+    if (!sameEstimate(before, context_.options)) { // the radius is watched where it is used
         markAllDirty();
     }
 }
 
 Status BackboneCubemapped::followScene() {
     const std::vector<Scene::Change> changes = context_.scene.takeChanges();
-    if (Status status = sceneGeometry_.update(context_.gl, context_.scene, changes); !status) {
+    if (Status status = sceneGeometry_.update(context_.gl, context_.scene, changes,
+                                              traitsOf(context_.options.estimator).layered);
+        !status) {
         return status;
     }
     const float reach = radius();
@@ -244,7 +240,6 @@ void BackboneCubemapped::addStatistics(Statistics& statistics) {
     statistics.cubeMapsProjected = projectedInFrame_;
     statistics.cubeMapsBuilt = builtInFrame_;
     statistics.bytesFrame += projection_->bytes();
-    statistics.bytesCapture = DeferredShading::captureBytes(context_.options.cubeMaps.faceSize);
     statistics.bytesScene = sceneGeometry_.bytes();
     for (const auto& projector : projectors_) {
         statistics.bytesKept += projector->info().bytes;

@@ -82,7 +82,9 @@ CubeMapInfo CubeMapProjector::info() {
             .position = position_,
             .faceSize = faceSize_,
             .facesModelled = static_cast<int>(std::count(modelled.begin(), modelled.end(), true)),
+            .layers = layers,
             .bytes = texels_.bytes(),
+            .captureBytes = captureBytes,
             .buildMs = buildMs,
             .buildGpuMs = timer.milliseconds()};
 }

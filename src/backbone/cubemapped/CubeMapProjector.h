@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include <glm/mat3x3.hpp>
@@ -49,6 +50,8 @@ public:
     /// The scene changed where this cube map sees it: build again before the next use.
     bool dirty = true;
     std::array<bool, kFaces> modelled{}; ///< faces that hold geometry
+    int layers = 0;                      ///< solid intervals captured along a ray, at most
+    std::size_t captureBytes = 0;        ///< GPU memory that the last build took and gave back
     double buildMs = 0.0;
     gl::GpuTimer timer;
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "backbone/SceneGeometry.h"
-#include "backbone/cubemapped/CubeMapProjector.h"
+#include "backbone/cubemapped/FaceCapture.h"
+#include "backbone/cubemapped/LayerPeeling.h"
 
 namespace aolib {
 
@@ -18,26 +18,17 @@ public:
     Status build(const BackboneContext& context, const SceneGeometry& geometry, float radius,
                  CubeMapProjector& projector);
 
-    /// GPU memory of the capture while a cube map of this face size is built.
-    static std::size_t captureBytes(int faceSize);
-
 private:
-    /// Nearest and farthest distance of geometry from the cube's centre.
-    struct Range {
-        float nearest;
-        float farthest;
-    };
-
     Status chooseEstimator(const BackboneContext& context);
-    void capture(const BackboneContext& context, const SceneGeometry& geometry,
-                 CubeMapProjector& projector, const gl::RenderToTexture2D& target,
-                 const Range& range);
-    void captureFace(const BackboneContext& context, const SceneGeometry& geometry,
-                     CubeMapProjector& projector, int face);
-    void computeVisibility(const BackboneContext& context, const CubeMapProjector& projector,
-                           const gl::RenderToTexture2D& captured, float radius);
+    Status shadeNearest(const BackboneContext& context, const SceneGeometry& geometry, float radius,
+                        const DistanceRange& range, CubeMapProjector& projector);
+    Status shadeLayers(const BackboneContext& context, const SceneGeometry& geometry, float radius,
+                       const DistanceRange& range, CubeMapProjector& projector);
+    void shadeFaces(const BackboneContext& context, float radius,
+                    const CubeMapProjector& projector);
 
     gl::GLSLShader capture_;
+    LayerPeeling peeling_;
     gl::GLSLShader visibility_;
     Estimator estimator_{}; ///< that `visibility_` was built for
 };

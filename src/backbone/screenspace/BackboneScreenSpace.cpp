@@ -24,7 +24,7 @@ Status BackboneScreenSpace::chooseEstimator() {
     const Estimator estimator = context_.options.estimator;
     auto shader =
         buildShader(context_.gl, "fullscreen.vert",
-                    "screenspace/visibility_" + std::string(estimatorShader(estimator)) + ".frag");
+                    "screenspace/visibility_" + std::string(traitsOf(estimator).shader) + ".frag");
     if (shader) {
         shader_ = std::move(*shader);
         estimator_ = estimator;

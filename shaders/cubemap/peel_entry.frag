@@ -1,0 +1,26 @@
+#version 330 core
+// The next surface along each ray, behind the one peeled before: a sheet, or where a solid begins.
+#include "cubemap/peel.glsl"
+#include "cubemap/surface_normal.glsl"
+#include "shared/octahedral.h"
+
+uniform sampler2D uPrevious; // the layer before: distance, solid, normal
+uniform bool uFirstLayer;
+
+layout(location = 0) out vec4 outEntry; // distance, solid, octahedral normal
+
+void main() {
+    // Before any discard: the normal needs its neighbours.
+    vec3 normal = seenNormal(vPosition, vNormal);
+    float distance = length(vPosition);
+    if (vSolid > 0.0 && !enters()) {
+        discard;
+    }
+    if (!uFirstLayer) {
+        float before = texelFetch(uPrevious, ivec2(gl_FragCoord.xy), 0).r;
+        if (before < 0.0 || distance <= before * (1.0 + kSameSurface)) {
+            discard;
+        }
+    }
+    outEntry = vec4(distance, vSolid, encodeNormal(normal));
+}

@@ -1,0 +1,16 @@
+// A slice of the hemisphere about a normal: the plane of a viewing direction v and a tangent t across
+// it. theta is the angle from v towards t, gamma that of the normal's projection n_p into the slice.
+// The cosine-weighted solid angle of a range of theta in a wedge of slices is proportional to
+//   |n_p| (F(b) - F(a)),  F(theta) = antiderivative of cos(theta - gamma) |sin theta|.
+#ifdef __cplusplus
+#pragma once
+#endif
+#include "shared/dual.h"
+
+// F(theta), zero at theta = 0.
+AO_FUNCTION float sliceIntegral(float theta, float gamma) {
+    float f = (cos(gamma) - cos(2.0f * theta - gamma)) * 0.25f + theta * sin(gamma) * 0.5f;
+    return theta < 0.0f ? -f : f;
+}
+
+AO_SHARED_END

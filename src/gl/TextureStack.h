@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include <aolib/Status.h>
+
+#include "gl/Handle.h"
+#include "gl/RenderToTexture2D.h"
+
+namespace aolib::gl {
+
+/// Layers of one size and format in one array texture; each can be rendered to, all are read at
+/// once.
+class TextureStack {
+public:
+    struct Settings {
+        int width = 0;  ///< texels
+        int height = 0; ///< texels
+        int layers = 0;
+        RenderToTexture2D::Format format = RenderToTexture2D::Format::RGBA8;
+        std::string label;
+    };
+
+    TextureStack() = default;
+    /// Errors: MissingCapability (size or format), OutOfMemory.
+    static Result<TextureStack> create(const Functions& gl, const Settings& settings);
+
+    /// Directs rendering to one layer; sets the viewport.
+    void begin(int layer) const;
+    /// Makes all layers readable by samplers of this texture unit (GL_TEXTURE_2D_ARRAY).
+    void bind(int unit) const;
+
+    int layers() const { return settings_.layers; }
+    std::size_t bytes() const;
+
+private:
+    const Functions* gl_ = nullptr;
+    Settings settings_;
+    Texture texture_;
+    Framebuffer framebuffer_;
+};
+
+} // namespace aolib::gl

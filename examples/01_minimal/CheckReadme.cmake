@@ -1,0 +1,23 @@
+# Checks that README shows SOURCE's lines between the marks, that they are twenty, and that no other
+# line of SOURCE speaks to aolib.
+file(READ ${SOURCE} source)
+file(READ ${README} readme)
+if(NOT source MATCHES "^(.*)\n// \\[aolib\\]\n(.*\n)// \\[/aolib\\]\n(.*)$")
+    message(FATAL_ERROR "${SOURCE} has lost its marks // [aolib] and // [/aolib]")
+endif()
+set(before "${CMAKE_MATCH_1}")
+set(shown "${CMAKE_MATCH_2}")
+set(after "${CMAKE_MATCH_3}")
+
+string(FIND "${readme}" "```cpp\n${shown}```\n" place)
+if(place EQUAL -1)
+    message(FATAL_ERROR "${README} does not show the lines between the marks of ${SOURCE}")
+endif()
+string(REGEX REPLACE "[^\n]" "" breaks "${shown}")
+string(LENGTH "${breaks}" lines)
+if(NOT lines EQUAL 20)
+    message(FATAL_ERROR "${SOURCE}: ${lines} lines between the marks; the README says 20")
+endif()
+if("${before}${after}" MATCHES "aolib(::|/)|ao(\\.|->)")
+    message(FATAL_ERROR "${SOURCE}: aolib is used outside the marks: ${CMAKE_MATCH_0}")
+endif()

@@ -72,7 +72,7 @@ struct BlurOptions {
 /// Everything a host may set. An aggregate: take the defaults and change what matters.
 struct Options {
     Backbone backbone = Backbone::Cubemapped;
-    Estimator estimator = Estimator::LayeredIntervals;
+    Estimator estimator = Estimator::HorizonSplit;
     float radius = 0.0F; ///< world units; 0 derives 10% of the diagonal of the scene's bounding box
     Falloff falloff = Falloff::Step;
     float contrast = 1.0F; ///< alpha of thesis eq. 4.11, i = i_s ((1 - a) + a W); 0 to 1

@@ -64,8 +64,8 @@ TEST_P(ProjectionGLTest, NothingIsProjectedThroughAWall) {
     for (const float w : image.visibility) {
         shaded += w >= 0.0F && w < 1.0F ? 1 : 0;
     }
-    // At the wall's foot a texel of the floor beyond reaches under it, by less than its own width: a
-    // row of pixels, measured 0.7% of the picture.
+    // At the wall's foot a texel of the floor beyond reaches under it, by less than its own width:
+    // a row of pixels, measured 0.7% of the picture.
     EXPECT_LT(shaded, image.visibility.size() / 100);
     gl.Finish();
     ASSERT_TRUE(host.frame().ok());

@@ -25,8 +25,7 @@ TEST(FlattenTest, TrianglesStayAsTheyAre) {
 }
 
 TEST(FlattenTest, StripKeepsTheWinding) {
-    EXPECT_EQ(flattened(AO_TRIANGLE_STRIP, {0, 1, 2, 3, 4}),
-              (Indices{0, 1, 2, 2, 1, 3, 2, 3, 4}));
+    EXPECT_EQ(flattened(AO_TRIANGLE_STRIP, {0, 1, 2, 3, 4}), (Indices{0, 1, 2, 2, 1, 3, 2, 3, 4}));
 }
 
 TEST(FlattenTest, FanTurnsAboutItsFirstVertex) {

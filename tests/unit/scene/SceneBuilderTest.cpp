@@ -101,10 +101,16 @@ TEST(SceneBuilderTest, InvalidDataDropsTheMeshWithItsOwnCode) {
         giveRun(builder, AO_TRIANGLES, {0, 1, 2});
         EXPECT_TRUE(builder.end().ok());
     };
-    endAfter([](SceneBuilder& b) { return b.vertex({kNaN, 0.0F, 0.0F}); },
-             StatusCode::InvalidPosition);
-    endAfter([](SceneBuilder& b) { return b.vertex({0.0F, -kInfinity, 0.0F}); },
-             StatusCode::InvalidPosition);
+    endAfter(
+        [](SceneBuilder& b) {
+            return b.vertex({kNaN, 0.0F, 0.0F});
+        },
+        StatusCode::InvalidPosition);
+    endAfter(
+        [](SceneBuilder& b) {
+            return b.vertex({0.0F, -kInfinity, 0.0F});
+        },
+        StatusCode::InvalidPosition);
     endAfter(
         [](SceneBuilder& b) {
             EXPECT_TRUE(b.beginRun(AO_TRIANGLES).ok());

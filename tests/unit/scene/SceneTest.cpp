@@ -20,7 +20,9 @@ Mesh triangle(const glm::mat4& transform = glm::mat4(1.0F)) {
     return *mesh;
 }
 
-StatusCode codeOf(const MeshData& data) { return makeMesh(data).status().code(); }
+StatusCode codeOf(const MeshData& data) {
+    return makeMesh(data).status().code();
+}
 
 TEST(MakeMeshTest, EachFaultHasItsCode) {
     const std::vector<glm::vec3> holed{{0, 0, 0}, {kNaN, 0, 0}, {0, 2, 0}};
@@ -100,11 +102,11 @@ TEST(SceneTest, ClearanceIsTheDistanceToTheNearestTriangle) {
         EXPECT_NEAR(found.distance, distance, 1e-6F);
         EXPECT_NEAR(glm::distance(found.away, away), 0.0F, 1e-6F);
     };
-    near({0.5F, 0.5F, 3.0F}, 3.0F, {0, 0, 1});                       // over the face
-    near({1.0F, -2.0F, 0.0F}, 2.0F, {0, -1, 0});                     // beside an edge
-    near({-3.0F, -4.0F, 0.0F}, 5.0F, {-0.6F, -0.8F, 0});             // beside a corner
+    near({0.5F, 0.5F, 3.0F}, 3.0F, {0, 0, 1});           // over the face
+    near({1.0F, -2.0F, 0.0F}, 2.0F, {0, -1, 0});         // beside an edge
+    near({-3.0F, -4.0F, 0.0F}, 5.0F, {-0.6F, -0.8F, 0}); // beside a corner
     near({2.0F, 2.0F, 0.0F}, std::sqrt(2.0F), glm::vec3(1, 1, 0) / std::sqrt(2.0F)); // long edge
-    near({0.5F, 0.5F, 0.0F}, 0.0F, {0, 0, 1});                       // on it: along the normal
+    near({0.5F, 0.5F, 0.0F}, 0.0F, {0, 0, 1}); // on it: along the normal
 }
 
 } // namespace

@@ -17,12 +17,13 @@ void expectRefused(const char* name, Change&& change) {
     EXPECT_NE(status.message().find(name), std::string::npos) << status.message();
 }
 
-TEST(CheckOptionsTest, DefaultsAreValid) { EXPECT_TRUE(checkOptions({}).ok()); }
+TEST(CheckOptionsTest, DefaultsAreValid) {
+    EXPECT_TRUE(checkOptions({}).ok());
+}
 
 TEST(CheckOptionsTest, ValuesOutsideTheirRangeAreRefusedByName) {
     expectRefused("radius", [](Options& o) { o.radius = -1.0F; });
-    expectRefused("radius",
-                  [](Options& o) { o.radius = std::numeric_limits<float>::quiet_NaN(); });
+    expectRefused("radius", [](Options& o) { o.radius = std::numeric_limits<float>::quiet_NaN(); });
     expectRefused("radius", [](Options& o) { o.radius = std::numeric_limits<float>::infinity(); });
     expectRefused("contrast", [](Options& o) { o.contrast = 1.5F; });
     expectRefused("directions", [](Options& o) { o.horizonSplit.directions = 0; });

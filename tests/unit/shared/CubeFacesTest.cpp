@@ -19,7 +19,8 @@ vec3 randomDirection(std::mt19937& random) {
 }
 
 TEST(CubeFacesTest, FacesComeInTheirOrder) {
-    const vec3 axes[kFaceCount]{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+    const vec3 axes[kFaceCount]{{1, 0, 0},  {-1, 0, 0}, {0, 1, 0},
+                                {0, -1, 0}, {0, 0, 1},  {0, 0, -1}};
     for (int face = 0; face < kFaceCount; ++face) {
         EXPECT_EQ(faceForward(face), axes[face]);
         EXPECT_EQ(faceOf(axes[face]), face);

@@ -11,7 +11,9 @@
 namespace aolib::shared {
 namespace {
 
-float throughSixteenBits(float value) { return std::round(value * 65535.0F) / 65535.0F; }
+float throughSixteenBits(float value) {
+    return std::round(value * 65535.0F) / 65535.0F;
+}
 
 TEST(DistanceCodeTest, ErrorIsRelativeAndTiny) {
     const float nearest = 0.02F;

@@ -27,10 +27,10 @@ TEST(HostCameraTest, TellsReversedDepth) {
     reversed[3][2] = -kPerspective[3][2];
     EXPECT_FALSE(HostCamera::create(kView, kPerspective)->reversedDepth());
     EXPECT_TRUE(HostCamera::create(kView, reversed)->reversedDepth());
-    EXPECT_FALSE(
-        HostCamera::create(kView, glm::ortho(-1.0F, 1.0F, -1.0F, 1.0F, 0.1F, 9.0F))->reversedDepth());
-    EXPECT_TRUE(
-        HostCamera::create(kView, glm::ortho(-1.0F, 1.0F, -1.0F, 1.0F, 9.0F, 0.1F))->reversedDepth());
+    EXPECT_FALSE(HostCamera::create(kView, glm::ortho(-1.0F, 1.0F, -1.0F, 1.0F, 0.1F, 9.0F))
+                     ->reversedDepth());
+    EXPECT_TRUE(HostCamera::create(kView, glm::ortho(-1.0F, 1.0F, -1.0F, 1.0F, 9.0F, 0.1F))
+                    ->reversedDepth());
 }
 
 TEST(HostCameraTest, AcceptsOffCentreAndInfinite) {

@@ -31,7 +31,7 @@ TEST(PlacementTest, AnotherInTheSamePlaceWouldSeeTheSame) {
 
 TEST(PlacementTest, KeepsOffSurfaces) {
     // The floor y = 0 and the wall x = 0: a centre on their edge must leave both.
-    const std::vector<glm::vec3> positions{{-1, 0, -1}, {1, 0, -1}, {1, 0, 1},  {-1, 0, 1},
+    const std::vector<glm::vec3> positions{{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1},
                                            {0, -1, -1}, {0, 1, -1}, {0, 1, 1}, {0, -1, 1}};
     const std::vector<std::uint32_t> indices{0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7};
     Scene scene;

@@ -3,14 +3,13 @@
 #include <vector>
 
 #include <glm/mat4x4.hpp>
-#include <glm/vec3.hpp>
 
 #include <aolib/Status.h>
 
 #include "content/Model.h"
-#include "gl/Functions.h"
 #include "gl/GLSLShader.h"
-#include "gl/VertexArray.h"
+#include "gl/Handle.h"
+#include "host/HostMesh.h"
 
 namespace aolib::host {
 
@@ -28,20 +27,14 @@ public:
     void draw(const glm::mat4& view, const glm::mat4& projection);
 
 private:
-    struct Piece {
-        gl::VertexArray triangles;
-        glm::mat4 transform{1.0F};
-        glm::vec3 colour{1.0F}; ///< linear
-    };
-
     void drawSky(const glm::mat4& view, const glm::mat4& projection);
-    void drawPieces(const glm::mat4& view, const glm::mat4& projection);
+    void drawMeshes(const glm::mat4& view, const glm::mat4& projection);
 
     const gl::Functions* gl_ = nullptr;
     gl::GLSLShader surface_;
     gl::GLSLShader sky_;
-    gl::VertexArray empty_;
-    std::vector<Piece> pieces_;
+    gl::VertexArrayName empty_; ///< for the sky, whose vertices need no data
+    std::vector<HostMesh> meshes_;
 };
 
 } // namespace aolib::host

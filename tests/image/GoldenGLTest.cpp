@@ -1,0 +1,55 @@
+#include <algorithm>
+#include <cmath>
+
+#include "CoreContexts.h"
+#include "GoldenPicture.h"
+#include "RenderedScene.h"
+#include "image/FalseColour.h"
+
+namespace aolib::test {
+
+namespace {
+
+constexpr int kWidth = 240;
+constexpr int kHeight = 135;
+
+// EGL and OSMesa (both llvmpipe 22.3) give the same pictures to the bit. The room is for other
+// drivers: rounding of W to 8 bit twice, and texels that another rasteriser covers differently.
+constexpr GoldenThresholds kVisibility{.max = 48.0, .mean = 0.5};
+constexpr GoldenThresholds kComposite{.max = 40.0, .mean = 0.5};
+
+/// Renders a view with all options spelled out, so that new defaults leave goldens alone.
+class GoldenGLTest : public GLTest {
+protected:
+    void expectGolden(const SceneView& view, float radius, const std::string& name) {
+        Options options;
+        options.estimator = Estimator::HorizonSplit;
+        options.radius = radius;
+        options.horizonSplit = {.directions = 16, .steps = 16};
+        options.cubeMaps.faceSize = 512;
+        RenderedScene scene(gl, loader, buildScene(view), options, kWidth, kHeight);
+        ASSERT_TRUE(scene.ready());
+        const Status status = scene.settle(cameraOf(view));
+        ASSERT_TRUE(status.ok()) << status.message();
+        const FloatImage visibility = scene.visibility();
+        ASSERT_TRUE(std::ranges::all_of(visibility.pixels, [](float w) {
+            return w == backgroundValue || (w >= 0.0F && w <= 1.0F); // fails on NaN
+        }));
+        EXPECT_TRUE(matchesGolden(greyPicture(visibility), name + "-ao", kVisibility));
+        EXPECT_TRUE(matchesGolden(scene.composite(), name + "-composite", kComposite));
+    }
+};
+
+TEST_P(GoldenGLTest, Town) {
+    expectGolden({"town", "square"}, 5.0F, "town");
+}
+
+TEST_P(GoldenGLTest, Room) {
+    expectGolden({"room", "corner"}, 0.5F, "room");
+}
+
+AOLIB_FOR_CORE_CONTEXTS(GoldenGLTest);
+
+} // namespace
+
+} // namespace aolib::test

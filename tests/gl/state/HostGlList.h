@@ -103,6 +103,7 @@
     X(PFNGLLOGICOPPROC, LogicOp)                                                                   \
     X(PFNGLPIXELSTOREIPROC, PixelStorei)                                                           \
     X(PFNGLPOINTPARAMETERFPROC, PointParameterf)                                                   \
+    X(PFNGLPOINTPARAMETERFVPROC, PointParameterfv)                                                 \
     X(PFNGLPOINTPARAMETERIPROC, PointParameteri)                                                   \
     X(PFNGLPOINTSIZEPROC, PointSize)                                                               \
     X(PFNGLPOLYGONMODEPROC, PolygonMode)                                                           \
@@ -134,6 +135,7 @@
     X(PFNGLUSEPROGRAMPROC, UseProgram)                                                             \
     X(PFNGLVERTEXATTRIB4FPROC, VertexAttrib4f)                                                     \
     X(PFNGLVERTEXATTRIBDIVISORPROC, VertexAttribDivisor)                                           \
+    X(PFNGLVERTEXATTRIBIPOINTERPROC, VertexAttribIPointer)                                         \
     X(PFNGLVERTEXATTRIBPOINTERPROC, VertexAttribPointer)                                           \
     X(PFNGLVIEWPORTPROC, Viewport)
 
@@ -164,7 +166,7 @@
     X(PFNGLPUSHDEBUGGROUPPROC, PushDebugGroup)                                                     \
     X(PFNGLSCISSORINDEXEDPROC, ScissorIndexed)                                                     \
     X(PFNGLUSEPROGRAMSTAGESPROC, UseProgramStages)                                                 \
-    X(PFNGLVIEWPORTINDEXEDFPROC, ViewportIndexedf)
+    X(PFNGLVIEWPORTINDEXEDFVPROC, ViewportIndexedfv)
 
 /// ... and the compatibility profile's, as (name, parameters), which the core header lacks.
 #define AOLIB_HOST_GL_COMPATIBILITY(X)                                                             \
@@ -189,6 +191,7 @@
     X(LineStipple, GLint, GLushort)                                                                \
     X(LoadMatrixf, const GLfloat*)                                                                 \
     X(Materialfv, GLenum, GLenum, const GLfloat*)                                                  \
+    X(ListBase, GLuint)                                                                            \
     X(MatrixMode, GLenum)                                                                          \
     X(Normal3f, GLfloat, GLfloat, GLfloat)                                                         \
     X(NormalPointer, GLenum, GLsizei, const void*)                                                 \
@@ -197,7 +200,11 @@
     X(PixelTransferi, GLenum, GLint)                                                               \
     X(PixelZoom, GLfloat, GLfloat)                                                                 \
     X(PolygonStipple, const GLubyte*)                                                              \
+    X(PopAttrib, void)                                                                             \
+    X(PopClientAttrib, void)                                                                       \
     X(PopMatrix, void)                                                                             \
+    X(PushAttrib, GLbitfield)                                                                      \
+    X(PushClientAttrib, GLbitfield)                                                                \
     X(PushMatrix, void)                                                                            \
     X(RasterPos2f, GLfloat, GLfloat)                                                               \
     X(SecondaryColor3f, GLfloat, GLfloat, GLfloat)                                                 \

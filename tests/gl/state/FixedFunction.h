@@ -1,0 +1,101 @@
+#pragma once
+
+#include <GL/glcorearb.h>
+
+/// Names of the compatibility profile, which the core header does not declare.
+namespace aolib::fixed {
+
+inline constexpr GLenum kCurrentColor = 0x0B00;
+inline constexpr GLenum kCurrentNormal = 0x0B02;
+inline constexpr GLenum kCurrentTextureCoords = 0x0B03;
+inline constexpr GLenum kCurrentRasterColor = 0x0B04;
+inline constexpr GLenum kCurrentRasterPosition = 0x0B07;
+inline constexpr GLenum kPointSmooth = 0x0B10;
+inline constexpr GLenum kLineStipple = 0x0B24;
+inline constexpr GLenum kLineStipplePattern = 0x0B25;
+inline constexpr GLenum kLineStippleRepeat = 0x0B26;
+inline constexpr GLbitfield kCurrentBit = 0x1;
+inline constexpr GLbitfield kClientPixelStoreBit = 0x1;
+inline constexpr GLenum kListBase = 0x0B32;
+inline constexpr GLenum kPolygonStipple = 0x0B42;
+inline constexpr GLenum kEdgeFlag = 0x0B43;
+inline constexpr GLenum kLighting = 0x0B50;
+inline constexpr GLenum kShadeModel = 0x0B54;
+inline constexpr GLenum kColorMaterialFace = 0x0B55;
+inline constexpr GLenum kColorMaterialParameter = 0x0B56;
+inline constexpr GLenum kColorMaterial = 0x0B57;
+inline constexpr GLenum kFog = 0x0B60;
+inline constexpr GLenum kFogDensity = 0x0B62;
+inline constexpr GLenum kFogStart = 0x0B63;
+inline constexpr GLenum kFogEnd = 0x0B64;
+inline constexpr GLenum kFogMode = 0x0B65;
+inline constexpr GLenum kFogColor = 0x0B66;
+inline constexpr GLenum kAccumClearValue = 0x0B80;
+inline constexpr GLenum kMatrixMode = 0x0BA0;
+inline constexpr GLenum kNormalize = 0x0BA1;
+inline constexpr GLenum kModelViewStackDepth = 0x0BA3;
+inline constexpr GLenum kProjectionStackDepth = 0x0BA4;
+inline constexpr GLenum kTextureStackDepth = 0x0BA5;
+inline constexpr GLenum kModelViewMatrix = 0x0BA6;
+inline constexpr GLenum kProjectionMatrix = 0x0BA7;
+inline constexpr GLenum kTextureMatrix = 0x0BA8;
+inline constexpr GLenum kAttribStackDepth = 0x0BB0;
+inline constexpr GLenum kClientAttribStackDepth = 0x0BB1;
+inline constexpr GLenum kAlphaTest = 0x0BC0;
+inline constexpr GLenum kAlphaTestFunc = 0x0BC1;
+inline constexpr GLenum kAlphaTestRef = 0x0BC2;
+inline constexpr GLenum kRenderMode = 0x0C40;
+inline constexpr GLenum kPerspectiveHint = 0x0C50;
+inline constexpr GLenum kPointSmoothHint = 0x0C51;
+inline constexpr GLenum kFogHint = 0x0C54;
+inline constexpr GLenum kFirstPixelMap = 0x0C70; ///< GL_PIXEL_MAP_I_TO_I, ten in a row
+inline constexpr GLenum kFirstPixelMapSize = 0x0CB0;
+inline constexpr int kPixelMaps = 10;
+inline constexpr GLenum kMapColor = 0x0D10;
+inline constexpr GLenum kMapStencil = 0x0D11;
+inline constexpr GLenum kIndexShift = 0x0D12;
+inline constexpr GLenum kIndexOffset = 0x0D13;
+inline constexpr GLenum kRedScale = 0x0D14;
+inline constexpr GLenum kZoomX = 0x0D16;
+inline constexpr GLenum kZoomY = 0x0D17;
+inline constexpr GLenum kGreenScale = 0x0D18;
+inline constexpr GLenum kBlueScale = 0x0D1A;
+inline constexpr GLenum kAlphaScale = 0x0D1C;
+inline constexpr GLenum kDepthScale = 0x0D1E;
+inline constexpr GLenum kModelView = 0x1700;
+inline constexpr GLenum kProjection = 0x1701;
+inline constexpr GLenum kAmbient = 0x1200;
+inline constexpr GLenum kDiffuse = 0x1201;
+inline constexpr GLenum kSpecular = 0x1202;
+inline constexpr GLenum kEmission = 0x1600;
+inline constexpr GLenum kAmbientAndDiffuse = 0x1602;
+inline constexpr GLenum kModulate = 0x2100;
+inline constexpr GLenum kTextureEnvMode = 0x2200;
+inline constexpr GLenum kTextureEnv = 0x2300;
+inline constexpr GLenum kFlat = 0x1D00;
+inline constexpr GLenum kSmooth = 0x1D01;
+inline constexpr GLenum kLight0 = 0x4000;
+inline constexpr GLenum kRescaleNormal = 0x803A;
+inline constexpr GLenum kVertexArray = 0x8074;
+inline constexpr GLenum kNormalArray = 0x8075;
+inline constexpr GLenum kColorArray = 0x8076;
+inline constexpr GLenum kIndexArray = 0x8077;
+inline constexpr GLenum kTextureCoordArray = 0x8078;
+inline constexpr GLenum kEdgeFlagArray = 0x8079;
+inline constexpr GLenum kVertexArrayStride = 0x807C;
+inline constexpr GLenum kPointSizeMin = 0x8126;
+inline constexpr GLenum kPointSizeMax = 0x8127;
+inline constexpr GLenum kPointDistanceAttenuation = 0x8129;
+inline constexpr GLenum kGenerateMipmapHint = 0x8192;
+inline constexpr GLenum kCurrentFogCoord = 0x8453;
+inline constexpr GLenum kColorSum = 0x8458;
+inline constexpr GLenum kCurrentSecondaryColor = 0x8459;
+inline constexpr GLenum kClientActiveTexture = 0x84E1;
+inline constexpr GLenum kTextureFilterControl = 0x8500;
+inline constexpr GLenum kVertexProgramTwoSide = 0x8643;
+inline constexpr GLenum kPointSprite = 0x8861;
+inline constexpr GLenum kClampVertexColor = 0x891A;
+inline constexpr GLenum kClampFragmentColor = 0x891B;
+inline constexpr GLenum kFixedOnly = 0x891D;
+
+} // namespace aolib::fixed

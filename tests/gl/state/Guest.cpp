@@ -1,0 +1,278 @@
+#include "Guest.h"
+
+#include <array>
+#include <limits>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "SmallScene.h"
+#include "host/ModelScene.h"
+
+namespace aolib {
+
+namespace {
+
+constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+constexpr std::size_t kMaxCubeMaps = 4;
+
+} // namespace
+
+Options smallOptions() {
+    Options options;
+    options.radius = 2.0F;
+    options.horizonSplit = {.directions = 2, .steps = 3};
+    options.cubeMaps.faceSize = 16;
+    options.cubeMaps.nearest = 3;
+    return options;
+}
+
+Model guestScene() {
+    Model model;
+    addQuad(model, {-10, 0, -10}, {-10, 0, 10}, {10, 0, 10}, {10, 0, -10});
+    addBox(model, {-2, 0, -2}, {0, 2, 0});
+    addBox(model, {0.5F, 0, -1}, {2, 1, 1});
+    return model;
+}
+
+const glm::mat4& Guest::view() {
+    static const glm::mat4 matrix = glm::lookAt(eye(), glm::vec3(0, 0.5F, 0), glm::vec3(0, 1, 0));
+    return matrix;
+}
+const glm::mat4& Guest::projection() {
+    static const glm::mat4 matrix =
+        glm::perspective(glm::radians(60.0F), 16.0F / 9.0F, 0.1F, 100.0F);
+    return matrix;
+}
+const glm::vec3& Guest::eye() {
+    static const glm::vec3 position(3, 3, 5);
+    return position;
+}
+
+Guest::Guest(const ProcAddressLoader& loader) : loader_(loader) {
+    ao_.emplace(std::move(*AmbientOcclusion::create(loader, smallOptions())));
+    empty_.emplace(std::move(*AmbientOcclusion::create(loader, smallOptions())));
+    meshes_ = *host::describeScene(*ao_, guestScene(), host::SceneNormals::Geometric);
+    EXPECT_TRUE(ao_->aoSetCamera(view(), projection()).ok());
+}
+
+/// The public calls, each with what it must answer.
+struct GuestCalls {
+    Guest& guest;
+    Dice& dice;
+    const Guest::Situation& situation;
+    std::string fault;
+
+    AmbientOcclusion& ao() { return *guest.ao_; }
+    AmbientOcclusion& empty() { return *guest.empty_; }
+
+    void expect(StatusCode wanted, const Status& status) {
+        if (status.code() != wanted) {
+            fault.append(statusName(status.code())).append(" (").append(status.message());
+            fault.append(") in place of ").append(statusName(wanted)).append("; ");
+        }
+    }
+    template <typename T>
+    void expect(StatusCode wanted, const Result<T>& result) {
+        expect(wanted, result.status());
+    }
+    void end(const glm::vec3& at = Guest::eye()) {
+        const Status status = ao().aoDrawEnd(at.x, at.y, at.z);
+        expect(situation.frame, status);
+        guest.hadFrame_ = guest.hadFrame_ || status.ok();
+    }
+    void frame() {
+        expect(StatusCode::Ok, ao().aoDrawBegin());
+        end();
+    }
+    glm::vec3 somewhere() {
+        const auto coordinate = [&] { return static_cast<float>(dice.between(-40, 40)) * 0.1F; };
+        return {coordinate(), coordinate() + 4.0F, coordinate()};
+    }
+    CubeMapId someCubeMap() {
+        const std::vector<CubeMapInfo> infos = ao().cubeMaps();
+        return infos.empty() ? CubeMapId{0xFFFFFF} : infos[dice.below(infos.size())].id;
+    }
+    void change(Options options) { expect(StatusCode::Ok, ao().setOptions(options)); }
+
+    // ---- One function per call ------------------------------------------------------------------
+
+    void create() {
+        Options options = smallOptions();
+        options.backbone = dice.chance(0.5) ? Backbone::Cubemapped : Backbone::ScreenSpace;
+        expect(StatusCode::Ok, AmbientOcclusion::create(guest.loader_, options));
+    }
+    void createRefused() {
+        Options options;
+        options.contrast = 2.0F;
+        expect(StatusCode::InvalidOption, AmbientOcclusion::create(guest.loader_, options));
+        expect(StatusCode::NoContext, AmbientOcclusion::create({}));
+        const auto holed = [this](const char* name) -> void* {
+            return std::string_view(name) == "glDrawArrays" ? nullptr : guest.loader_(name);
+        };
+        expect(StatusCode::MissingCapability, AmbientOcclusion::create(holed));
+    }
+    void move() {
+        AmbientOcclusion elsewhere(std::move(*guest.ao_));
+        guest.ao_.emplace(std::move(elsewhere));
+    }
+    void estimate() {
+        Options options = ao().options();
+        options.horizonSplit.directions = dice.between(1, 2);
+        options.horizonSplit.steps = dice.between(1, 4);
+        options.radius = static_cast<float>(dice.between(1, 3));
+        options.falloff = static_cast<Falloff>(dice.between(0, 2));
+        options.cubeMaps.faceSize = dice.chance(0.5) ? 16 : 20;
+        change(options);
+    }
+    void appearance() {
+        Options options = ao().options();
+        options.contrast = static_cast<float>(dice.between(0, 4)) * 0.25F;
+        options.cubeMaps.outlines = dice.chance(0.5);
+        options.cubeMaps.place = dice.chance(0.5);
+        options.cubeMaps.coverage = dice.chance(0.5) ? 0.75F : 1.0F;
+        options.cubeMaps.nearest = dice.between(1, 3);
+        options.blur = {.enabled = dice.chance(0.7), .size = 1 + 2 * dice.between(0, 3)};
+        options.debugView = dice.chance(0.5)
+                                ? DebugView::None
+                                : kDebugViewChoices[dice.below(kDebugViewChoices.size())].value;
+        change(options);
+    }
+    void optionsRefused() {
+        Options options = ao().options();
+        options.cubeMaps.faceSize = 1;
+        expect(StatusCode::InvalidOption, ao().setOptions(options));
+    }
+    void exchangeBackbone() {
+        Options options = ao().options();
+        options.backbone = Backbone::ScreenSpace;
+        change(options);
+        guest.hadFrame_ = false;
+        frame();
+        options.backbone = Backbone::Cubemapped;
+        change(options);
+        guest.hadFrame_ = false;
+    }
+    void addCubeMap() {
+        if (ao().cubeMaps().size() >= kMaxCubeMaps) {
+            expect(StatusCode::Ok, ao().removeCubeMap(someCubeMap()));
+        }
+        expect(StatusCode::Ok, ao().addCubeMap(somewhere()));
+    }
+    void addCubeMapRefused() {
+        expect(StatusCode::InvalidPosition, ao().addCubeMap({0, kNaN, 0}));
+        expect(StatusCode::NoScene, empty().addCubeMap({0, 1, 0}));
+    }
+    void removeCubeMap() {
+        const CubeMapId id = someCubeMap();
+        const bool known = !ao().cubeMaps().empty();
+        expect(known ? StatusCode::Ok : StatusCode::UnknownCubeMap, ao().removeCubeMap(id));
+        expect(StatusCode::UnknownCubeMap, ao().removeCubeMap(CubeMapId{0xFFFFFF}));
+    }
+    void clear() { expect(StatusCode::Ok, ao().clear()); }
+    void frameTwiceBegun() {
+        expect(StatusCode::Ok, ao().aoDrawBegin());
+        expect(StatusCode::InvalidCallOrder, ao().aoDrawBegin());
+        end();
+    }
+    void frameNotBegun() {
+        expect(StatusCode::InvalidCallOrder, ao().aoDrawEnd(0, 0, 0));
+        expect(StatusCode::Ok, ao().aoDrawBegin());
+        expect(StatusCode::InvalidCamera, ao().aoDrawEnd(kNaN, 0, 0));
+    }
+    void frameWithoutCamera() {
+        glm::mat4 broken(1.0F);
+        broken[0][0] = kNaN;
+        expect(StatusCode::InvalidCamera, ao().aoSetCamera(broken, broken));
+        expect(StatusCode::Ok, empty().aoDrawBegin());
+        expect(situation.compatibility ? StatusCode::InvalidCamera : StatusCode::NoCamera,
+               empty().aoDrawEnd(1000, 0, 0));
+    }
+    void readVisibility() {
+        const auto image = ao().readVisibility();
+        expect(guest.hadFrame_ ? StatusCode::Ok : StatusCode::InvalidCallOrder, image);
+        expect(StatusCode::InvalidCallOrder, empty().readVisibility());
+    }
+    void readCubeMap() {
+        const bool known = !ao().cubeMaps().empty();
+        expect(known ? StatusCode::Ok : StatusCode::UnknownCubeMap,
+               ao().readCubeMap(someCubeMap()));
+    }
+    void look() {
+        (void)ao().statistics();
+        (void)ao().cubeMaps();
+        (void)ao().lastStatus();
+    }
+    void moveMesh() {
+        const glm::mat4 transform = glm::translate(glm::mat4(1.0F), somewhere() * 0.2F);
+        expect(StatusCode::Ok, ao().moveMesh(guest.meshes_[1], transform));
+        frame();
+    }
+    void replaceMesh() {
+        const ModelMesh box = guestScene().meshes[2];
+        MeshData data{box.positions, {}, box.indices};
+        data.transform = glm::translate(glm::mat4(1.0F), somewhere() * 0.1F);
+        expect(StatusCode::Ok, ao().replaceMesh(guest.meshes_[2], data));
+        if (dice.chance(0.5)) {
+            const Result<MeshId> extra = ao().addMesh(data);
+            expect(StatusCode::Ok, extra);
+            frame();
+            expect(StatusCode::Ok, ao().removeMesh(*extra));
+        }
+        frame();
+    }
+};
+
+namespace {
+
+struct NamedCall {
+    const char* name;
+    void (GuestCalls::*function)();
+    int weight; ///< how often it is drawn; those that build shaders take long
+};
+
+constexpr std::array kCalls{
+    NamedCall{"create, destroy", &GuestCalls::create, 3},
+    NamedCall{"create, refused", &GuestCalls::createRefused, 20},
+    NamedCall{"move the instance", &GuestCalls::move, 5},
+    NamedCall{"setOptions: estimate", &GuestCalls::estimate, 30},
+    NamedCall{"setOptions: appearance", &GuestCalls::appearance, 60},
+    NamedCall{"setOptions, refused", &GuestCalls::optionsRefused, 20},
+    NamedCall{"setOptions: backbone", &GuestCalls::exchangeBackbone, 2},
+    NamedCall{"addCubeMap", &GuestCalls::addCubeMap, 40},
+    NamedCall{"addCubeMap, refused", &GuestCalls::addCubeMapRefused, 20},
+    NamedCall{"removeCubeMap", &GuestCalls::removeCubeMap, 20},
+    NamedCall{"clear", &GuestCalls::clear, 10},
+    NamedCall{"aoDrawBegin, aoDrawEnd", &GuestCalls::frame, 120},
+    NamedCall{"aoDrawBegin twice", &GuestCalls::frameTwiceBegun, 20},
+    NamedCall{"aoDrawEnd, refused", &GuestCalls::frameNotBegun, 20},
+    NamedCall{"aoDrawEnd without a camera", &GuestCalls::frameWithoutCamera, 20},
+    NamedCall{"readVisibility", &GuestCalls::readVisibility, 30},
+    NamedCall{"readCubeMap", &GuestCalls::readCubeMap, 30},
+    NamedCall{"statistics, cubeMaps", &GuestCalls::look, 30},
+    NamedCall{"moveMesh and a frame", &GuestCalls::moveMesh, 40},
+    NamedCall{"replaceMesh and frames", &GuestCalls::replaceMesh, 30}};
+
+} // namespace
+
+std::size_t Guest::kinds() {
+    return kCalls.size();
+}
+
+Guest::Outcome Guest::call(Dice& dice, const Situation& situation) {
+    int total = 0;
+    for (const NamedCall& call : kCalls) {
+        total += call.weight;
+    }
+    int drawn = dice.between(0, total - 1);
+    const NamedCall* chosen = kCalls.data();
+    while (drawn >= chosen->weight) {
+        drawn -= chosen->weight;
+        ++chosen;
+    }
+    GuestCalls calls{*this, dice, situation, {}};
+    (calls.*chosen->function)();
+    return {chosen->name, calls.fault};
+}
+
+} // namespace aolib

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <aolib/aolib.h>
+
+#include "Dice.h"
+#include "content/Model.h"
+
+namespace aolib {
+
+/// Small and quick: what the tests of this folder ask of aolib.
+Options smallOptions();
+/// A floor, two boxes on it, 20 units across.
+Model guestScene();
+
+/// aolib as a careless host uses it: makes any public call at any time, and knows what each must
+/// answer.
+class Guest {
+public:
+    static const glm::mat4& view();
+    static const glm::mat4& projection();
+    static const glm::vec3& eye();
+
+    /// What the host's state lets aolib answer.
+    struct Situation {
+        StatusCode frame = StatusCode::Ok; ///< of aoDrawEnd()
+        bool compatibility = false;
+    };
+
+    explicit Guest(const ProcAddressLoader& loader);
+
+    /// One public call, or a few that belong together.
+    /// @return its name, with what it answered if that was not what it must answer.
+    struct Outcome {
+        std::string call;
+        std::string fault;
+    };
+    Outcome call(Dice& dice, const Situation& situation);
+    static std::size_t kinds();
+
+private:
+    friend struct GuestCalls;
+
+    const ProcAddressLoader& loader_;
+    std::optional<AmbientOcclusion> ao_;    ///< has a scene and a camera
+    std::optional<AmbientOcclusion> empty_; ///< has neither
+    std::vector<MeshId> meshes_;
+    bool hadFrame_ = false;
+};
+
+} // namespace aolib

@@ -15,6 +15,12 @@ Result<Buffer> Buffer::create(const Functions& gl, GLenum target, std::size_t by
     gl.BindBuffer(target, buffer.name());
     gl::label(gl, GL_BUFFER, buffer.name(), label);
     gl.BufferData(target, static_cast<GLsizeiptr>(bytes), data, usage);
+    GLint size = 0; // read as an int: all that is asked is whether there is any
+    gl.GetBufferParameteriv(target, GL_BUFFER_SIZE, &size);
+    if (size == 0 && bytes > 0) {
+        return Status(StatusCode::OutOfMemory,
+                      label + ": no memory for " + std::to_string(bytes) + " bytes");
+    }
     return buffer;
 }
 

@@ -69,6 +69,7 @@
     X(PFNGLGENVERTEXARRAYSPROC, GenVertexArrays)                                                   \
     X(PFNGLGETBOOLEANI_VPROC, GetBooleani_v)                                                       \
     X(PFNGLGETBOOLEANVPROC, GetBooleanv)                                                           \
+    X(PFNGLGETBUFFERPARAMETERIVPROC, GetBufferParameteriv)                                         \
     X(PFNGLGETDOUBLEVPROC, GetDoublev)                                                             \
     X(PFNGLGETFLOATVPROC, GetFloatv)                                                               \
     X(PFNGLGETFRAMEBUFFERATTACHMENTPARAMETERIVPROC, GetFramebufferAttachmentParameteriv)           \
@@ -94,6 +95,7 @@
     X(PFNGLMAPBUFFERRANGEPROC, MapBufferRange)                                                     \
     X(PFNGLPIXELSTOREIPROC, PixelStorei)                                                           \
     X(PFNGLPOLYGONMODEPROC, PolygonMode)                                                           \
+    X(PFNGLPROVOKINGVERTEXPROC, ProvokingVertex)                                                   \
     X(PFNGLQUERYCOUNTERPROC, QueryCounter)                                                         \
     X(PFNGLREADBUFFERPROC, ReadBuffer)                                                             \
     X(PFNGLREADPIXELSPROC, ReadPixels)                                                             \

@@ -57,6 +57,7 @@ Functions::Capabilities capabilitiesOf(const Functions& gl, int version) {
     can.fixedIndexRestart = has(43, "GL_ARB_ES3_compatibility");
     can.debug = has(43, "GL_KHR_debug", gl.ObjectLabel, gl.PushDebugGroup, gl.PopDebugGroup);
     can.conservativeQuery = has(43, "GL_ARB_ES3_compatibility");
+    can.packInvert = extensions.count("GL_MESA_pack_invert") != 0;
     can.queryBuffer = has(44, "GL_ARB_query_buffer_object") ||
                       extensions.count("GL_AMD_query_buffer_object") != 0;
     can.maxTextureSize = integer(gl, GL_MAX_TEXTURE_SIZE);

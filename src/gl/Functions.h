@@ -33,6 +33,7 @@ struct Functions {
         bool debug = false;             ///< GL 4.3 or KHR_debug
         bool queryBuffer = false;       ///< GL 4.4 or ARB_query_buffer_object
         bool conservativeQuery = false; ///< GL 4.3 or ARB_ES3_compatibility
+        bool packInvert = false;        ///< MESA_pack_invert
         int maxTextureSize = 0;
         int maxTextureLayers = 0;
         int maxTextureUnits = 0; ///< of all stages together

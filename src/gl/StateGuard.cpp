@@ -11,6 +11,7 @@ constexpr GLenum kAlphaTest = 0x0BC0;
 constexpr GLenum kPolygonStipple = 0x0B42;
 constexpr GLenum kLineStipple = 0x0B24;
 constexpr GLenum kClampFragmentColor = 0x891B;
+constexpr GLenum kPackInvert = 0x8758; // GL_PACK_INVERT_MESA
 constexpr GLenum kMapColor = 0x0D10;
 constexpr GLenum kMapStencil = 0x0D11;
 
@@ -33,6 +34,7 @@ constexpr std::array kToggles{
     GLenum{GL_DEPTH_CLAMP},
     GLenum{GL_FRAMEBUFFER_SRGB},
     GLenum{GL_DITHER},
+    GLenum{GL_MULTISAMPLE},
 };
 
 constexpr std::array kPixelStore{
@@ -204,6 +206,9 @@ void StateGuard::savePixelPaths() {
     for (const GLenum name : kPixelStore) {
         pixelStore_.push_back({name, integer(gl_, name)});
     }
+    if (gl_.capabilities.packInvert) {
+        pixelStore_.push_back({kPackInvert, integer(gl_, kPackInvert)});
+    }
     clampReadColor_ = integer(gl_, GL_CLAMP_READ_COLOR);
     if (!gl_.capabilities.compatibility) {
         return;
@@ -242,6 +247,7 @@ void StateGuard::saveRasterState() {
     gl_.GetBooleanv(GL_DEPTH_WRITEMASK, &depthMask_);
     depthFunc_ = integer(gl_, GL_DEPTH_FUNC);
     gl_.GetIntegerv(GL_POLYGON_MODE, polygonMode_.data());
+    provokingVertex_ = integer(gl_, GL_PROVOKING_VERTEX);
     gl_.GetFloatv(GL_LINE_WIDTH, &lineWidth_);
     if (gl_.capabilities.clipControl) {
         clipOrigin_ = integer(gl_, GL_CLIP_ORIGIN);
@@ -258,6 +264,7 @@ void StateGuard::restoreRasterState() const {
     } else {
         gl_.PolygonMode(GL_FRONT_AND_BACK, static_cast<GLenum>(polygonMode_[0]));
     }
+    gl_.ProvokingVertex(static_cast<GLenum>(provokingVertex_));
     gl_.LineWidth(lineWidth_);
     if (gl_.capabilities.clipControl) {
         gl_.ClipControl(static_cast<GLenum>(clipOrigin_), static_cast<GLenum>(clipDepthMode_));
@@ -355,6 +362,7 @@ void StateGuard::setCleanSlate() const {
     for (const IndexedToggle& saved : indexedToggles_) {
         gl_.Disable(saved.name);
     }
+    gl_.Enable(GL_MULTISAMPLE); // as GL starts with it
     gl_.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
     gl_.BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
     if (gl_.capabilities.queryBuffer) {
@@ -379,6 +387,8 @@ void StateGuard::setCleanSlate() const {
     gl_.DepthFunc(GL_LESS);
     gl_.DepthRange(0.0, 1.0);
     gl_.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    // Nothing of ours is flat, but it decides the order of vertices and so the last bit of results.
+    gl_.ProvokingVertex(GL_LAST_VERTEX_CONVENTION);
     gl_.LineWidth(1.0F);
     // Even with blending off, Mesa refuses to draw to several targets with a dual-source function.
     gl_.BlendFuncSeparate(GL_ONE, GL_ZERO, GL_ONE, GL_ZERO);

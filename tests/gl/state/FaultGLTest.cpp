@@ -98,8 +98,9 @@ protected:
         poison->calm();
     }
 
-    static Options options() {
+    Options options() const {
         Options small = smallOptions();
+        small.estimator = estimator_;
         small.cubeMaps.coverage = 0.0F; // placed in an empty scene only: no matter of timing
         return small;
     }
@@ -164,6 +165,14 @@ protected:
                      return ao.readCubeMap(ao.cubeMaps().front().id).status();
                  }},
                 {"frame", frame}};
+    }
+    std::vector<Step> layerSteps() {
+        std::vector<Step> all = sceneSteps();
+        std::erase_if(all, [](const Step& step) {
+            return std::string(step.name) == "moveMesh, frame" ||
+                   std::string(step.name) == "frame of other size";
+        });
+        return all;
     }
     static std::vector<Step> backboneSteps() {
         const auto exchange = [](Backbone backbone) {
@@ -281,6 +290,7 @@ protected:
     std::optional<FaultyLoader> faulty_;
     std::vector<MeshId> meshes_;
     bool replaced_ = false;
+    Estimator estimator_ = Estimator::HorizonSplit;
     int refusals_ = 0;
 };
 
@@ -316,6 +326,15 @@ TEST_P(FaultGLTest, FramesGetOverWhatGlRefuses) {
                {Fault::GenTextures, Fault::GenBuffers, Fault::GenFramebuffers,
                 Fault::GenVertexArrays, Fault::GenQueries, Fault::FramebufferStatus,
                 Fault::TextureStorage, Fault::TextureSize, Fault::BufferStorage, Fault::FenceSync},
+               1);
+}
+
+TEST_P(FaultGLTest, LayersGetOverWhatGlRefuses) {
+    estimator_ = Estimator::LayeredIntervals;
+    refuseEach([this] { return layerSteps(); },
+               {Fault::GenTextures, Fault::GenBuffers, Fault::GenFramebuffers,
+                Fault::FramebufferStatus, Fault::TextureStorage, Fault::TextureSize,
+                Fault::BufferStorage},
                1);
 }
 

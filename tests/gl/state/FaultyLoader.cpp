@@ -100,6 +100,14 @@ void APIENTRY texImage2D(GLenum target, GLint level, GLint internalFormat, GLsiz
                                                            height, border, format, type, data);
     }
 }
+void APIENTRY texImage3D(GLenum target, GLint level, GLint internalFormat, GLsizei width,
+                         GLsizei height, GLsizei depth, GLint border, GLenum format, GLenum type,
+                         const void* data) {
+    if (!current->fails(Fault::TextureStorage)) {
+        current->real<PFNGLTEXIMAGE3DPROC>("glTexImage3D")(
+            target, level, internalFormat, width, height, depth, border, format, type, data);
+    }
+}
 void APIENTRY getTexLevelParameteriv(GLenum target, GLint level, GLenum query, GLint* value) {
     current->real<PFNGLGETTEXLEVELPARAMETERIVPROC>("glGetTexLevelParameteriv")(target, level, query,
                                                                                value);
@@ -147,6 +155,7 @@ const std::map<std::string, void*>& replacements() {
         {"glGetProgramiv", address(&getProgramiv)},
         {"glCheckFramebufferStatus", address(&checkFramebufferStatus)},
         {"glTexImage2D", address(&texImage2D)},
+        {"glTexImage3D", address(&texImage3D)},
         {"glGetTexLevelParameteriv", address(&getTexLevelParameteriv)},
         {"glBufferData", address(&bufferData)},
         {"glMapBufferRange", address(&mapBufferRange)}};

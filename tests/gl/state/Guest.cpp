@@ -22,6 +22,7 @@ Options smallOptions() {
     Options options;
     options.radius = 2.0F;
     options.horizonSplit = {.directions = 2, .steps = 3};
+    options.layeredIntervals = {.slices = 1, .steps = 3, .layers = 2};
     options.cubeMaps.faceSize = 16;
     options.cubeMaps.nearest = 3;
     return options;
@@ -120,10 +121,20 @@ struct GuestCalls {
         Options options = ao().options();
         options.horizonSplit.directions = dice.between(1, 2);
         options.horizonSplit.steps = dice.between(1, 4);
+        options.layeredIntervals.slices = dice.between(1, 2);
+        options.layeredIntervals.layers = dice.between(1, 3);
         options.radius = static_cast<float>(dice.between(1, 3));
         options.falloff = static_cast<Falloff>(dice.between(0, 2));
         options.cubeMaps.faceSize = dice.chance(0.5) ? 16 : 20;
         change(options);
+    }
+    void exchangeEstimator() {
+        Options options = ao().options();
+        options.estimator = options.estimator == Estimator::HorizonSplit
+                                ? Estimator::LayeredIntervals
+                                : Estimator::HorizonSplit;
+        change(options);
+        frame();
     }
     void appearance() {
         Options options = ao().options();
@@ -238,6 +249,7 @@ constexpr std::array kCalls{
     NamedCall{"setOptions: estimate", &GuestCalls::estimate, 30},
     NamedCall{"setOptions: appearance", &GuestCalls::appearance, 60},
     NamedCall{"setOptions, refused", &GuestCalls::optionsRefused, 20},
+    NamedCall{"setOptions: estimator", &GuestCalls::exchangeEstimator, 6},
     NamedCall{"setOptions: backbone", &GuestCalls::exchangeBackbone, 2},
     NamedCall{"addCubeMap", &GuestCalls::addCubeMap, 40},
     NamedCall{"addCubeMap, refused", &GuestCalls::addCubeMapRefused, 20},

@@ -247,6 +247,7 @@ void StateGuard::saveRasterState() {
     gl_.GetBooleanv(GL_DEPTH_WRITEMASK, &depthMask_);
     depthFunc_ = integer(gl_, GL_DEPTH_FUNC);
     gl_.GetIntegerv(GL_POLYGON_MODE, polygonMode_.data());
+    frontFace_ = integer(gl_, GL_FRONT_FACE);
     provokingVertex_ = integer(gl_, GL_PROVOKING_VERTEX);
     gl_.GetFloatv(GL_LINE_WIDTH, &lineWidth_);
     if (gl_.capabilities.clipControl) {
@@ -264,6 +265,7 @@ void StateGuard::restoreRasterState() const {
     } else {
         gl_.PolygonMode(GL_FRONT_AND_BACK, static_cast<GLenum>(polygonMode_[0]));
     }
+    gl_.FrontFace(static_cast<GLenum>(frontFace_));
     gl_.ProvokingVertex(static_cast<GLenum>(provokingVertex_));
     gl_.LineWidth(lineWidth_);
     if (gl_.capabilities.clipControl) {
@@ -387,7 +389,8 @@ void StateGuard::setCleanSlate() const {
     gl_.DepthFunc(GL_LESS);
     gl_.DepthRange(0.0, 1.0);
     gl_.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
-    // Nothing of ours is flat, but it decides the order of vertices and so the last bit of results.
+    gl_.FrontFace(GL_CCW);
+    // Besides what is flat, it decides the last bit of what is not: in which order vertices count.
     gl_.ProvokingVertex(GL_LAST_VERTEX_CONVENTION);
     gl_.LineWidth(1.0F);
     // Even with blending off, Mesa refuses to draw to several targets with a dual-source function.

@@ -94,6 +94,7 @@ private:
     GLboolean depthMask_ = GL_TRUE;
     GLint depthFunc_ = 0;
     std::array<GLint, 2> polygonMode_{};
+    GLint frontFace_ = 0;
     GLint provokingVertex_ = 0;
     GLfloat lineWidth_ = 1.0F;
     GLint clipOrigin_ = 0;

@@ -151,8 +151,8 @@ protected:
                  }},
                 {"replaceMesh, frame",
                  [this](AmbientOcclusion& ao) {
-                     const ModelMesh box = guestScene().meshes[2];
-                     MeshData data{box.positions, {}, box.indices};
+                     const ModelMesh other = guestScene().meshes[2];
+                     MeshData data{other.positions, {}, other.indices};
                      data.transform = glm::translate(glm::mat4(1), {0, 0.5F, 1});
                      if (!replaced_) { // once: a frame that failed must not forget it
                          (void)ao.replaceMesh(meshes_[2], data);

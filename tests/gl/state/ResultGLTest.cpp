@@ -178,7 +178,10 @@ TEST_P(ResultGLTest, APoisonedHostGetsWhatACalmOneGets) {
         bool darkened = false;
         for (unsigned seed = 0; seed < seeds(80); ++seed) {
             const HostView& view = all[seed % all.size()];
-            const std::string where = "seed " + std::to_string(seed);
+            const std::string where =
+                std::string(backbone == Backbone::Cubemapped ? "" : "screen space, ") +
+                (estimator == Estimator::HorizonSplit ? "" : "layered, ") + "seed " +
+                std::to_string(seed);
             const glm::vec3 eye = Guest::eye();
 
             draw(view);

@@ -150,17 +150,21 @@ Status BackboneCubemapped::followScene() {
 
 Status BackboneCubemapped::build(CubeMapProjector& projector) {
     const int faceSize = context_.options.cubeMaps.faceSize;
-    if (projector.faceSize() != faceSize) {
-        auto resized =
-            CubeMapProjector::create(context_.gl, projector.id(), projector.position(), faceSize);
-        if (!resized) {
-            return resized.status();
-        }
-        projector = std::move(*resized);
+    if (projector.faceSize() == faceSize) {
+        Status status = shading_->build(context_, sceneGeometry_, radius(), projector);
+        builtInFrame_ += status ? 1 : 0;
+        return status;
     }
-    Status status = shading_->build(context_, sceneGeometry_, radius(), projector);
-    builtInFrame_ += status ? 1 : 0;
-    return status;
+    auto resized =
+        CubeMapProjector::create(context_.gl, projector.id(), projector.position(), faceSize);
+    if (!resized) {
+        return resized.status();
+    }
+    if (Status status = build(*resized); !status) {
+        return status; // the one of the old size stays
+    }
+    projector = std::move(*resized);
+    return {};
 }
 
 // ---- Frame --------------------------------------------------------------------------------------

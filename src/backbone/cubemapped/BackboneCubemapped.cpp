@@ -131,6 +131,7 @@ Status BackboneCubemapped::followScene() {
     if (Status status = sceneGeometry_.update(context_.gl, context_.scene, changes,
                                               traitsOf(context_.options.estimator).layered);
         !status) {
+        markAllDirty(); // the changes are taken and will not come again
         return status;
     }
     const float reach = radius();

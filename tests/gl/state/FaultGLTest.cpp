@@ -345,6 +345,20 @@ TEST_P(FaultGLTest, ABackboneThatCannotBeMadeLeavesTheOldOne) {
                3);
 }
 
+TEST_P(FaultGLTest, AFrameAfterOneThatFailedIsTimedFromItsOwnStart) {
+    auto ao = make();
+    ASSERT_TRUE(ao.ok()) << ao.status().message();
+    ASSERT_TRUE(frame(*ao).ok());
+    host->Finish();
+    (void)ao->statistics(); // takes the time of that frame
+    poison->calm({.target = HostTarget::ColourOnly});
+    EXPECT_EQ(frame(*ao).code(), StatusCode::InvalidFramebuffer);
+    poison->calm();
+    const int before = faulty_->timestamps;
+    ASSERT_TRUE(frame(*ao).ok());
+    EXPECT_EQ(faulty_->timestamps - before, 2) << "one for its start, one for its end";
+}
+
 TEST_P(FaultGLTest, NothingIsLeftAfterALongLife) {
     const auto before = aliveNames(*host);
     {

@@ -73,6 +73,11 @@ void APIENTRY deleteSync(GLsync fence) {
     current->ledger["fences"].erase(reinterpret_cast<std::uintptr_t>(fence));
 }
 
+void APIENTRY queryCounter(GLuint name, GLenum target) {
+    current->real<PFNGLQUERYCOUNTERPROC>("glQueryCounter")(name, target);
+    ++current->timestamps;
+}
+
 // ---- Answers ----------------------------------------------------------------------------------
 
 void APIENTRY getShaderiv(GLuint name, GLenum query, GLint* value) {
@@ -151,6 +156,7 @@ const std::map<std::string, void*>& replacements() {
         {"glDeleteProgram", address(&deleteProgram)},
         {"glFenceSync", address(&fenceSync)},
         {"glDeleteSync", address(&deleteSync)},
+        {"glQueryCounter", address(&queryCounter)},
         {"glGetShaderiv", address(&getShaderiv)},
         {"glGetProgramiv", address(&getProgramiv)},
         {"glCheckFramebufferStatus", address(&checkFramebufferStatus)},

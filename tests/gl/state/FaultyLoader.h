@@ -58,6 +58,7 @@ public:
         return reinterpret_cast<Function>(functions_.at(name));
     }
     std::map<std::string, std::set<std::uintptr_t>> ledger;
+    int timestamps = 0; ///< asked for so far
 
 private:
     ProcAddressLoader loader_;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr GLenum kMaxTextureCoords = 0x8871;
 
-HostGl::Has inspect(const HostGl& gl) {
+HostGl::Has inspect(const HostGl& gl, bool newest) {
     std::set<std::string> extensions;
     for (GLint i = 0; i < gl.integer(GL_NUM_EXTENSIONS); ++i) {
         extensions.insert(
@@ -18,7 +18,7 @@ HostGl::Has inspect(const HostGl& gl) {
     }
     const int version = gl.integer(GL_MAJOR_VERSION) * 10 + gl.integer(GL_MINOR_VERSION);
     const auto since = [&](int number, const char* extension) {
-        return version >= number || extensions.count(extension) != 0;
+        return newest && (version >= number || extensions.count(extension) != 0);
     };
     constexpr int kNever = 1000;
     HostGl::Has has;
@@ -65,7 +65,18 @@ GLint HostGl::integer(GLenum name) const {
     return value;
 }
 
-HostGl HostGl::load(const ProcAddressLoader& loader) {
+ProcAddressLoader HostGl::withoutNewer(const ProcAddressLoader& loader) {
+    static const std::set<std::string> newer{
+#define AOLIB_HOST_GL_NAME(type, name) "gl" #name,
+        AOLIB_HOST_GL_NEWER(AOLIB_HOST_GL_NAME)
+#undef AOLIB_HOST_GL_NAME
+    };
+    return [loader](const char* name) -> void* {
+        return newer.count(name) != 0 ? nullptr : loader(name);
+    };
+}
+
+HostGl HostGl::load(const ProcAddressLoader& loader, bool newest) {
     HostGl gl;
     std::string missing;
 #define AOLIB_HOST_GL_LOAD(type, name)                                                             \
@@ -83,7 +94,7 @@ HostGl HostGl::load(const ProcAddressLoader& loader) {
     if (!missing.empty()) {
         throw std::runtime_error("the tests' loader does not know" + missing);
     }
-    gl.has = inspect(gl);
+    gl.has = inspect(gl, newest);
     return gl;
 }
 

@@ -55,7 +55,10 @@ struct HostGl {
     } has;
 
     /// Fills the table for the current context. Throws std::runtime_error naming what is missing.
-    static HostGl load(const ProcAddressLoader& loader);
+    /// @param newest  else the host knows nothing beyond GL 3.3.
+    static HostGl load(const ProcAddressLoader& loader, bool newest = true);
+    /// A loader that does not know the functions that came after GL 3.3.
+    static ProcAddressLoader withoutNewer(const ProcAddressLoader& loader);
 
     GLint integer(GLenum name) const;
 };

@@ -9,7 +9,14 @@ void HostTest::SetUp() {
     if (IsSkipped() || HasFatalFailure()) {
         return;
     }
-    host.emplace(HostGl::load(loader));
+    setUpHost(true);
+}
+
+void HostTest::setUpHost(bool newest) {
+    state.reset();
+    poison.reset();
+    objects.reset();
+    host.emplace(HostGl::load(loader, newest));
     objects.emplace(*host);
     poison.emplace(*host, *objects);
     state.emplace(*host, *objects);

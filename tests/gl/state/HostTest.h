@@ -14,6 +14,8 @@ class HostTest : public GLTest {
 protected:
     void SetUp() override;
     void TearDown() override;
+    /// @param newest  else a host that knows nothing beyond GL 3.3.
+    void setUpHost(bool newest);
 
     /// Random states per context: the test's own number, or that of AOLIB_STATE_SEEDS.
     static unsigned seeds(unsigned usual);

@@ -44,7 +44,7 @@ Result<GpuTimer> GpuTimer::create(const Functions& gl) {
 
 void GpuTimer::begin() {
     milliseconds();
-    if (state_ == State::Idle) {
+    if (state_ != State::Pending) { // also when what began last never came to its end
         gl_->QueryCounter(queries_[0].name(), GL_TIMESTAMP);
         state_ = State::Running;
     }

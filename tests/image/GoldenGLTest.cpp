@@ -13,10 +13,12 @@ namespace {
 constexpr int kWidth = 240;
 constexpr int kHeight = 135;
 
-// EGL and OSMesa (both llvmpipe 22.3) give the same pictures to the bit. The room is for other
-// drivers: rounding of W to 8 bit twice, and texels that another rasteriser covers differently.
-constexpr GoldenThresholds kVisibility{.max = 48.0, .mean = 0.5};
-constexpr GoldenThresholds kComposite{.max = 40.0, .mean = 0.5};
+// EGL and OSMesa (both llvmpipe 22.3) give the golden pictures to the bit. The room is for drivers
+// that round and cover texels differently; not measured on others yet. What it still catches, by
+// the mean: a radius 10% smaller (0.04 to 0.11), 12 directions in place of 16 (0.01 to 0.22), half
+// the face size (0.2 to 0.7), no blur (0.5 to 1.1).
+constexpr GoldenThresholds kVisibility{.max = 32.0, .mean = 0.05};
+constexpr GoldenThresholds kComposite{.max = 24.0, .mean = 0.035};
 
 /// Renders a view with all options spelled out, so that new defaults leave goldens alone.
 class GoldenGLTest : public GLTest {

@@ -1,5 +1,6 @@
 #include "gl/Functions.h"
 
+#include <cstdio>
 #include <cstring>
 #include <set>
 #include <string>
@@ -32,6 +33,15 @@ int integer(const Functions& gl, GLenum name) {
     GLint value = 0;
     gl.GetIntegerv(name, &value);
     return value;
+}
+
+/// From the text "4.5 ...": a context older than 3.0 answers GL_MAJOR_VERSION with an error. 0 for
+/// what is no desktop GL.
+int versionOf(const Functions& gl) {
+    const auto* text = reinterpret_cast<const char*>(gl.GetString(GL_VERSION));
+    int major = 0;
+    int minor = 0;
+    return std::sscanf(text, "%d.%d", &major, &minor) == 2 ? major * 10 + minor : 0;
 }
 
 Functions::Capabilities capabilitiesOf(const Functions& gl, int version) {
@@ -92,7 +102,7 @@ Result<Functions> Functions::load(const ProcAddressLoader& loader) {
         return Status(StatusCode::NoContext,
                       "no OpenGL context is current, or the loader does not belong to it");
     }
-    const int version = integer(gl, GL_MAJOR_VERSION) * 10 + integer(gl, GL_MINOR_VERSION);
+    const int version = versionOf(gl);
     if (version < 33) {
         return Status(StatusCode::MissingCapability,
                       std::string("OpenGL 3.3 is needed, this context is ") +

@@ -81,8 +81,11 @@
     X(PFNGLGETQUERYIVPROC, GetQueryiv)                                                             \
     X(PFNGLGETSAMPLERPARAMETERFVPROC, GetSamplerParameterfv)                                       \
     X(PFNGLGETSTRINGIPROC, GetStringi)                                                             \
+    X(PFNGLGETTEXIMAGEPROC, GetTexImage)                                                           \
     X(PFNGLGETTEXLEVELPARAMETERIVPROC, GetTexLevelParameteriv)                                     \
     X(PFNGLGETTEXPARAMETERFVPROC, GetTexParameterfv)                                               \
+    X(PFNGLGETUNIFORMLOCATIONPROC, GetUniformLocation)                                             \
+    X(PFNGLGETUNIFORMFVPROC, GetUniformfv)                                                         \
     X(PFNGLGETVERTEXATTRIBPOINTERVPROC, GetVertexAttribPointerv)                                   \
     X(PFNGLGETVERTEXATTRIBFVPROC, GetVertexAttribfv)                                               \
     X(PFNGLGETVERTEXATTRIBIVPROC, GetVertexAttribiv)                                               \
@@ -132,6 +135,7 @@
     X(PFNGLTEXPARAMETERFPROC, TexParameterf)                                                       \
     X(PFNGLTEXPARAMETERIPROC, TexParameteri)                                                       \
     X(PFNGLTRANSFORMFEEDBACKVARYINGSPROC, TransformFeedbackVaryings)                               \
+    X(PFNGLUNIFORM4FPROC, Uniform4f)                                                               \
     X(PFNGLUSEPROGRAMPROC, UseProgram)                                                             \
     X(PFNGLVERTEXATTRIB4FPROC, VertexAttrib4f)                                                     \
     X(PFNGLVERTEXATTRIBDIVISORPROC, VertexAttribDivisor)                                           \

@@ -25,8 +25,9 @@ GLuint compile(const HostGl& gl, GLenum kind, const char* text) {
 GLuint link(const HostGl& gl, const char* vertex, const char* varying) {
     const GLuint program = gl.CreateProgram();
     const GLuint vertexShader = compile(gl, GL_VERTEX_SHADER, vertex);
-    const GLuint fragmentShader = compile(
-        gl, GL_FRAGMENT_SHADER, "#version 330 core\nout vec4 c;\nvoid main() { c = vec4(1.0); }\n");
+    const GLuint fragmentShader = compile(gl, GL_FRAGMENT_SHADER,
+                                          "#version 330 core\nuniform vec4 colour;\nout vec4 c;\n"
+                                          "void main() { c = colour; }\n");
     gl.AttachShader(program, vertexShader);
     gl.AttachShader(program, fragmentShader);
     gl.DeleteShader(vertexShader);
@@ -40,6 +41,9 @@ GLuint link(const HostGl& gl, const char* vertex, const char* varying) {
     if (linked != GL_TRUE) {
         throw std::runtime_error("a shader of the tests does not link");
     }
+    gl.UseProgram(program);
+    gl.Uniform4f(gl.GetUniformLocation(program, "colour"), 0.1F, 0.2F, 0.3F, 0.4F);
+    gl.UseProgram(0);
     return program;
 }
 
@@ -105,7 +109,9 @@ void HostObjects::makeTextures() {
             gl_.BindTexture(target, name);
             const GLint format = GL_RGBA8;
             const auto flat = [&](GLenum face, GLsizei height) {
-                gl_.TexImage2D(face, 0, format, 8, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+                const std::vector<GLuint> content(std::size_t{8} * 8, pattern(name));
+                gl_.TexImage2D(face, 0, format, 8, height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                               content.data());
             };
             if (target == GL_TEXTURE_1D) {
                 gl_.TexImage1D(target, 0, format, 8, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
@@ -219,18 +225,24 @@ void HostObjects::makeQueries() {
     gl_.EndQuery(GL_SAMPLES_PASSED);
 }
 
-std::string HostObjects::damagedBuffers() const {
+std::string HostObjects::damage() const {
     std::string damaged;
+    for (const GLuint name : textures.at(GL_TEXTURE_2D)) {
+        std::vector<GLuint> content(std::size_t{8} * 4);
+        gl_.BindTexture(GL_TEXTURE_2D, name);
+        gl_.GetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, content.data());
+        if (content != std::vector<GLuint>(content.size(), pattern(name))) {
+            damaged.append(" texture ").append(std::to_string(name));
+        }
+    }
+    gl_.BindTexture(GL_TEXTURE_2D, 0);
     for (const std::vector<GLuint>* names : {&buffers, &feedbackBuffers}) {
         for (const GLuint name : *names) {
             std::vector<GLuint> content(kBufferBytes / sizeof(GLuint));
             gl_.BindBuffer(GL_COPY_READ_BUFFER, name);
             gl_.GetBufferSubData(GL_COPY_READ_BUFFER, 0, kBufferBytes, content.data());
-            for (const GLuint value : content) {
-                if (value != pattern(name)) {
-                    damaged.append(" ").append(std::to_string(name));
-                    break;
-                }
+            if (content != std::vector<GLuint>(content.size(), pattern(name))) {
+                damaged.append(" buffer ").append(std::to_string(name));
             }
         }
     }

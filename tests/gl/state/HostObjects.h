@@ -40,9 +40,9 @@ public:
     }
     /// Whether it can be drawn to, and has depth.
     bool usable(HostTarget target) const;
-    /// Names of the buffers whose content is not what it was; empty if all are intact. Needs
-    /// GL_COPY_READ_BUFFER, and nothing running.
-    std::string damagedBuffers() const;
+    /// The buffers and textures whose content is not what it was; empty if all are intact. In a
+    /// calm state only, which it leaves.
+    std::string damage() const;
 
     std::map<GLenum, std::vector<GLuint>> textures; ///< by target, complete
     std::vector<GLuint> samplers;

@@ -214,6 +214,11 @@ void HostState::recordObjects(StateRecorder& to) const {
         to.value("texture", name, "GL_TEXTURE_WIDTH", width);
     }
     gl_.BindTexture(GL_TEXTURE_2D, static_cast<GLuint>(bound));
+    for (const GLuint name : {objects_.program, objects_.feedbackProgram}) {
+        std::array<GLfloat, 4> colour{};
+        gl_.GetUniformfv(name, gl_.GetUniformLocation(name, "colour"), colour.data());
+        to.values("uniform", name, colour.data(), 4);
+    }
     for (const GLuint name : objects_.samplers) {
         GLfloat value = 0.0F;
         gl_.GetSamplerParameterfv(name, GL_TEXTURE_MIN_FILTER, &value);

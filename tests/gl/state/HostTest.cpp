@@ -26,7 +26,7 @@ void HostTest::setUpHost(bool newest) {
 void HostTest::TearDown() {
     if (poison) {
         poison->calm();
-        EXPECT_EQ(objects->damagedBuffers(), "") << "buffers of the host were written to";
+        EXPECT_EQ(objects->damage(), "") << "the host's objects were written to";
         state.reset();
         poison.reset();
         objects.reset();

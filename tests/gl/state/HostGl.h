@@ -1,5 +1,7 @@
 #pragma once
 
+#include <initializer_list>
+
 #include <GL/glcorearb.h>
 
 #include <aolib/ProcAddressLoader.h>
@@ -7,6 +9,8 @@
 #include "HostGlList.h"
 
 namespace aolib {
+
+using GLenums = std::initializer_list<GLenum>;
 
 /// The host's own GL functions: loaded here, apart from aolib's table, so that the tests share
 /// neither its lists nor its mistakes.

@@ -76,9 +76,9 @@ void HostState::recordFixedFunction(StateRecorder& to) const {
         floats(to, named.first, named.second, count);
     }
     std::array<GLfloat, 4> colour{};
-    for (const GLenum face : {GL_FRONT, GL_BACK}) {
+    for (const GLenum face : GLenums{GL_FRONT, GL_BACK}) {
         for (const GLenum part :
-             {fixed::kAmbient, fixed::kDiffuse, fixed::kSpecular, fixed::kEmission}) {
+             GLenums{fixed::kAmbient, fixed::kDiffuse, fixed::kSpecular, fixed::kEmission}) {
             gl_.GetMaterialfv(face, part, colour.data());
             to.values("material", part, colour.data(), 4);
         }
@@ -98,7 +98,7 @@ void HostState::recordFixedFunction(StateRecorder& to) const {
         gl_.GetFloatv(fixed::kCurrentTextureCoords, values.data());
         to.values("current texture coordinates", index, values.data(), 4);
         for (const GLenum target :
-             {GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP}) {
+             GLenums{GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP}) {
             to.value("texture target enabled", index, gl_.IsEnabled(target));
         }
     }

@@ -115,8 +115,8 @@ void Poison::startQueries(Dice& dice) {
     if (occlusion != 0) {
         start(occlusion);
     }
-    for (const GLenum target :
-         {GL_PRIMITIVES_GENERATED, GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, GL_TIME_ELAPSED}) {
+    for (const GLenum target : GLenums{GL_PRIMITIVES_GENERATED,
+                                       GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, GL_TIME_ELAPSED}) {
         if (dice.unusual()) {
             start(target);
         }

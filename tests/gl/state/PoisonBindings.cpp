@@ -45,8 +45,8 @@ void Poison::bindBuffers(Dice& dice) {
     }
     const auto bind = [&](GLenum target) { gl_.BindBuffer(target, any(dice, objects_.buffers)); };
     for (const GLenum target :
-         {GL_ARRAY_BUFFER, GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, GL_PIXEL_PACK_BUFFER,
-          GL_PIXEL_UNPACK_BUFFER, GL_TEXTURE_BUFFER, GL_UNIFORM_BUFFER}) {
+         GLenums{GL_ARRAY_BUFFER, GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, GL_PIXEL_PACK_BUFFER,
+                 GL_PIXEL_UNPACK_BUFFER, GL_TEXTURE_BUFFER, GL_UNIFORM_BUFFER}) {
         bind(target);
     }
     if (gl_.has.indirect) {

@@ -26,8 +26,9 @@ std::array<GLfloat, 16> matrix(Dice& dice) {
 void Poison::setFixedFunction(Dice& dice) {
     using namespace fixed;
     for (const GLenum name :
-         {kAlphaTest, kColorMaterial, kColorSum, kFog, kLight0, kLighting, kLineStipple, kNormalize,
-          kPointSmooth, kPointSprite, kPolygonStipple, kRescaleNormal, kVertexProgramTwoSide}) {
+         GLenums{kAlphaTest, kColorMaterial, kColorSum, kFog, kLight0, kLighting, kLineStipple,
+                 kNormalize, kPointSmooth, kPointSprite, kPolygonStipple, kRescaleNormal,
+                 kVertexProgramTwoSide}) {
         toggle(name, dice.flag(false));
     }
     gl_.AlphaFunc(dice.pick<GLenum>(GL_ALWAYS, {GL_NEVER, GL_GREATER, GL_LESS}),
@@ -42,7 +43,7 @@ void Poison::setFixedFunction(Dice& dice) {
     gl_.Fogfv(kFogColor, colour(dice, 0).data());
     gl_.LineStipple(dice.integer(1, 1, 9), static_cast<GLushort>(dice.integer(0xFFFF, 0, 0xFFFF)));
     gl_.ShadeModel(dice.pick(kSmooth, {kFlat}));
-    for (const GLenum part : {kAmbient, kDiffuse, kSpecular, kEmission}) {
+    for (const GLenum part : GLenums{kAmbient, kDiffuse, kSpecular, kEmission}) {
         gl_.Materialfv(GL_FRONT_AND_BACK, part, colour(dice, 0.2F).data());
     }
     gl_.Lightfv(kLight0, kDiffuse, colour(dice, 1).data());
@@ -64,13 +65,14 @@ void Poison::setPointsAndArrays(Dice& dice) {
     const std::array<GLfloat, 3> attenuation{dice.real(1, 0, 1), dice.real(0, 0, 1),
                                              dice.real(0, 0, 1)};
     gl_.PointParameterfv(kPointDistanceAttenuation, attenuation.data());
-    for (const GLenum hint : {kFogHint, kPerspectiveHint, kPointSmoothHint, kGenerateMipmapHint}) {
+    for (const GLenum hint :
+         GLenums{kFogHint, kPerspectiveHint, kPointSmoothHint, kGenerateMipmapHint}) {
         gl_.Hint(hint, dice.pick<GLenum>(GL_DONT_CARE, {GL_NICEST, GL_FASTEST}));
     }
     gl_.ClientActiveTexture(GL_TEXTURE0 +
                             static_cast<GLenum>(dice.integer(0, 0, gl_.has.coordinateUnits - 1)));
-    for (const GLenum array : {kVertexArray, kNormalArray, kColorArray, kIndexArray, kEdgeFlagArray,
-                               kTextureCoordArray}) {
+    for (const GLenum array : GLenums{kVertexArray, kNormalArray, kColorArray, kIndexArray,
+                                      kEdgeFlagArray, kTextureCoordArray}) {
         dice.flag(false) ? gl_.EnableClientState(array) : gl_.DisableClientState(array);
     }
     gl_.VertexPointer(3, GL_FLOAT, dice.integer(0, 12, 40), nullptr);
@@ -86,12 +88,12 @@ void Poison::setMatrices(Dice& dice) {
         gl_.TexEnvf(kTextureFilterControl, GL_TEXTURE_LOD_BIAS, dice.real(0, -3, 3));
         gl_.MatrixMode(GL_TEXTURE);
         gl_.LoadMatrixf(matrix(dice).data());
-        for (const GLenum target : {GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_CUBE_MAP}) {
+        for (const GLenum target : GLenums{GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_CUBE_MAP}) {
             toggle(target, dice.flag(false));
         }
     }
     gl_.ActiveTexture(static_cast<GLenum>(active));
-    for (const GLenum mode : {kModelView, kProjection}) {
+    for (const GLenum mode : GLenums{kModelView, kProjection}) {
         gl_.MatrixMode(mode);
         gl_.LoadMatrixf(matrix(dice).data());
     }
@@ -106,7 +108,7 @@ void Poison::pushStacks(Dice& dice) {
         return;
     }
     const auto mode = static_cast<GLenum>(gl_.integer(fixed::kMatrixMode));
-    for (const GLenum stack : {fixed::kModelView, fixed::kProjection}) {
+    for (const GLenum stack : GLenums{fixed::kModelView, fixed::kProjection}) {
         gl_.MatrixMode(stack);
         gl_.PushMatrix();
     }
@@ -119,7 +121,7 @@ void Poison::pushStacks(Dice& dice) {
 void Poison::popStacks() {
     gl_.PopClientAttrib();
     gl_.PopAttrib();
-    for (const GLenum stack : {fixed::kModelView, fixed::kProjection}) {
+    for (const GLenum stack : GLenums{fixed::kModelView, fixed::kProjection}) {
         gl_.MatrixMode(stack);
         gl_.PopMatrix();
     }
@@ -132,7 +134,8 @@ void Poison::setPixelTransfer(Dice& dice) {
     gl_.PixelTransferi(kMapStencil, dice.flag(false) ? 1 : 0);
     gl_.PixelTransferi(kIndexShift, dice.integer(0, -4, 4));
     gl_.PixelTransferi(kIndexOffset, dice.integer(0, -4, 4));
-    for (const GLenum scale : {kRedScale, kGreenScale, kBlueScale, kAlphaScale, kDepthScale}) {
+    for (const GLenum scale :
+         GLenums{kRedScale, kGreenScale, kBlueScale, kAlphaScale, kDepthScale}) {
         gl_.PixelTransferf(scale, dice.real(1, -2, 2));
         gl_.PixelTransferf(scale + 1, dice.real(0, -1, 1));
     }

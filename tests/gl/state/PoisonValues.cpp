@@ -30,13 +30,13 @@ constexpr std::initializer_list<GLenum> kHints{GL_FASTEST, GL_NICEST};
 } // namespace
 
 void Poison::setSwitches(Dice& dice) {
-    for (const GLenum name :
-         {GL_COLOR_LOGIC_OP, GL_CULL_FACE, GL_DEPTH_CLAMP, GL_DEPTH_TEST, GL_LINE_SMOOTH,
-          GL_POLYGON_OFFSET_FILL, GL_POLYGON_OFFSET_LINE, GL_POLYGON_OFFSET_POINT,
-          GL_POLYGON_SMOOTH, GL_PRIMITIVE_RESTART, GL_PROGRAM_POINT_SIZE, GL_RASTERIZER_DISCARD,
-          GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_ALPHA_TO_ONE, GL_SAMPLE_COVERAGE, GL_SAMPLE_MASK,
-          GL_STENCIL_TEST, GL_TEXTURE_CUBE_MAP_SEAMLESS}) {
-        toggle(static_cast<GLenum>(name), dice.flag(false));
+    for (const GLenum name : GLenums{
+             GL_COLOR_LOGIC_OP, GL_CULL_FACE, GL_DEPTH_CLAMP, GL_DEPTH_TEST, GL_LINE_SMOOTH,
+             GL_POLYGON_OFFSET_FILL, GL_POLYGON_OFFSET_LINE, GL_POLYGON_OFFSET_POINT,
+             GL_POLYGON_SMOOTH, GL_PRIMITIVE_RESTART, GL_PROGRAM_POINT_SIZE, GL_RASTERIZER_DISCARD,
+             GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_ALPHA_TO_ONE, GL_SAMPLE_COVERAGE,
+             GL_SAMPLE_MASK, GL_STENCIL_TEST, GL_TEXTURE_CUBE_MAP_SEAMLESS}) {
+        toggle(name, dice.flag(false));
     }
     toggle(GL_DITHER, dice.flag(true));
     toggle(GL_MULTISAMPLE, dice.flag(true));
@@ -65,7 +65,7 @@ void Poison::setDepthAndStencil(Dice& dice) {
     gl_.DepthMask(dice.flag(true) ? GL_TRUE : GL_FALSE);
     gl_.ClearDepth(dice.real(1.0F, 0.0F, 1.0F));
     gl_.ClearStencil(dice.integer(0, 0, 255));
-    for (const GLenum face : {GL_FRONT, GL_BACK}) {
+    for (const GLenum face : GLenums{GL_FRONT, GL_BACK}) {
         gl_.StencilFuncSeparate(face, dice.pick<GLenum>(GL_ALWAYS, kCompare),
                                 dice.integer(0, 0, 255),
                                 static_cast<GLuint>(dice.integer(255, 0, 255)));
@@ -101,8 +101,9 @@ void Poison::setRasterisation(Dice& dice) {
     for (int i = 0; i < gl_.has.sampleMasks; ++i) {
         gl_.SampleMaski(static_cast<GLuint>(i), dice.pick<GLbitfield>(~0U, {0U, 5U, 0xAAAAU}));
     }
-    for (const GLenum hint : {GL_LINE_SMOOTH_HINT, GL_POLYGON_SMOOTH_HINT,
-                              GL_TEXTURE_COMPRESSION_HINT, GL_FRAGMENT_SHADER_DERIVATIVE_HINT}) {
+    for (const GLenum hint :
+         GLenums{GL_LINE_SMOOTH_HINT, GL_POLYGON_SMOOTH_HINT, GL_TEXTURE_COMPRESSION_HINT,
+                 GL_FRAGMENT_SHADER_DERIVATIVE_HINT}) {
         gl_.Hint(hint, dice.pick<GLenum>(GL_DONT_CARE, kHints));
     }
     if (gl_.has.tessellation) {
@@ -147,17 +148,17 @@ void Poison::setColour(Dice& dice) {
 }
 
 void Poison::setPixelStore(Dice& dice) {
-    for (const GLenum name : {GL_PACK_ALIGNMENT, GL_UNPACK_ALIGNMENT}) {
+    for (const GLenum name : GLenums{GL_PACK_ALIGNMENT, GL_UNPACK_ALIGNMENT}) {
         gl_.PixelStorei(name, dice.pick(4, {1, 2, 8}));
     }
     for (const GLenum name :
-         {GL_PACK_ROW_LENGTH, GL_PACK_SKIP_PIXELS, GL_PACK_SKIP_ROWS, GL_PACK_IMAGE_HEIGHT,
-          GL_PACK_SKIP_IMAGES, GL_UNPACK_ROW_LENGTH, GL_UNPACK_SKIP_PIXELS, GL_UNPACK_SKIP_ROWS,
-          GL_UNPACK_IMAGE_HEIGHT, GL_UNPACK_SKIP_IMAGES}) {
+         GLenums{GL_PACK_ROW_LENGTH, GL_PACK_SKIP_PIXELS, GL_PACK_SKIP_ROWS, GL_PACK_IMAGE_HEIGHT,
+                 GL_PACK_SKIP_IMAGES, GL_UNPACK_ROW_LENGTH, GL_UNPACK_SKIP_PIXELS,
+                 GL_UNPACK_SKIP_ROWS, GL_UNPACK_IMAGE_HEIGHT, GL_UNPACK_SKIP_IMAGES}) {
         gl_.PixelStorei(name, dice.integer(0, 1, 9));
     }
-    for (const GLenum name :
-         {GL_PACK_SWAP_BYTES, GL_PACK_LSB_FIRST, GL_UNPACK_SWAP_BYTES, GL_UNPACK_LSB_FIRST}) {
+    for (const GLenum name : GLenums{GL_PACK_SWAP_BYTES, GL_PACK_LSB_FIRST, GL_UNPACK_SWAP_BYTES,
+                                     GL_UNPACK_LSB_FIRST}) {
         gl_.PixelStorei(name, dice.flag(false) ? 1 : 0);
     }
     if (gl_.has.packInvert) {

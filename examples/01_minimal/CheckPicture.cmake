@@ -1,4 +1,5 @@
 # Runs EXAMPLE without a window and looks at the PICTURE it writes: the size, and three pixels.
+cmake_minimum_required(VERSION 3.22)
 file(REMOVE ${PICTURE})
 execute_process(COMMAND ${EXAMPLE} --headless --frames 3 --screenshot ${PICTURE}
     RESULT_VARIABLE result ERROR_VARIABLE message)

@@ -1,5 +1,6 @@
 # Checks that README shows SOURCE's lines between the marks, that they are twenty, and that no other
 # line of SOURCE speaks to aolib.
+cmake_minimum_required(VERSION 3.22)
 file(READ ${SOURCE} source)
 file(READ ${README} readme)
 if(NOT source MATCHES "^(.*)\n// \\[aolib\\]\n(.*\n)// \\[/aolib\\]\n(.*)$")

@@ -16,14 +16,19 @@ glm::mat3 cubeToFace(int face) {
         glm::mat3(shared::faceRight(face), shared::faceUp(face), shared::faceForward(face)));
 }
 
+Result<gl::RenderToTexture2D> CubeMapProjector::createTexels(const gl::Functions& gl, int faceSize,
+                                                             const std::string& label) {
+    using Format = gl::RenderToTexture2D::Format;
+    return gl::RenderToTexture2D::create(gl, {.width = kFaces * faceSize,
+                                              .height = faceSize,
+                                              .targets = {Format::R8, Format::R16},
+                                              .label = label});
+}
+
 Result<CubeMapProjector> CubeMapProjector::create(const gl::Functions& gl, CubeMapId id,
                                                   const glm::vec3& position, int faceSize) {
-    using Format = gl::RenderToTexture2D::Format;
-    const std::string label = "aolib/cube" + std::to_string(static_cast<std::uint32_t>(id));
-    auto texels = gl::RenderToTexture2D::create(gl, {.width = kFaces * faceSize,
-                                                     .height = faceSize,
-                                                     .targets = {Format::R8, Format::R16},
-                                                     .label = label});
+    auto texels =
+        createTexels(gl, faceSize, "aolib/cube" + std::to_string(static_cast<std::uint32_t>(id)));
     if (!texels) {
         return texels.status();
     }
@@ -42,11 +47,6 @@ Result<CubeMapProjector> CubeMapProjector::create(const gl::Functions& gl, CubeM
 
 void CubeMapProjector::setDistanceCode(float nearest, float farthest) {
     distanceCode_ = {nearest, std::log2(farthest / nearest)};
-}
-
-void CubeMapProjector::beginFace(const gl::Functions& gl, int face) const {
-    texels_.beginAll();
-    gl.Viewport(face * faceSize_, 0, faceSize_, faceSize_);
 }
 
 void CubeMapProjector::bindDistance(gl::GLSLShader& shader, int unit) const {

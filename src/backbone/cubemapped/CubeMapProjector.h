@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
@@ -36,9 +37,11 @@ public:
     const glm::vec2& distanceCode() const { return distanceCode_; }
     void setDistanceCode(float nearest, float farthest);
 
-    /// Directs rendering to the kept texels of all faces or of one.
-    void begin() const { texels_.beginAll(); }
-    void beginFace(const gl::Functions& gl, int face) const;
+    /// The kept texels: visibility, coded distance.
+    const gl::RenderToTexture2D& texels() const { return texels_; }
+    /// Another target of the same kind, for what is not kept yet. Errors: as create().
+    static Result<gl::RenderToTexture2D> createTexels(const gl::Functions& gl, int faceSize,
+                                                      const std::string& label);
     /// Binds what a projection reads and sets its uniforms.
     void bind(gl::GLSLShader& shader, int visibilityUnit, int distanceUnit) const;
     void bindDistance(gl::GLSLShader& shader, int unit) const;

@@ -26,8 +26,13 @@ Result<DeferredShading> DeferredShading::create(const BackboneContext& context) 
     if (!peeling) {
         return peeling.status();
     }
+    auto smooth = buildShader(context.gl, "fullscreen.vert", "cubemap/smooth_texels.frag");
+    if (!smooth) {
+        return smooth.status();
+    }
     DeferredShading shading;
     shading.capture_ = std::move(*capture);
+    shading.smooth_ = std::move(*smooth);
     shading.peeling_ = std::move(*peeling);
     if (Status status = shading.chooseEstimator(context); !status) {
         return status;
@@ -101,13 +106,19 @@ Status DeferredShading::shadeNearest(const BackboneContext& context, const Scene
     captured->bindTexture(0, 0);
     visibility_.set("uGeometry", 0);
     visibility_.set("uFaceSize", projector.faceSize());
-    shadeFaces(context, radius, projector);
+    setEstimatorUniforms(visibility_, context.options, radius);
+    shadeFaces(context, visibility_, projector, projector.texels());
     return {};
 }
 
 Status DeferredShading::shadeLayers(const BackboneContext& context, const SceneGeometry& geometry,
                                     float radius, const DistanceRange& range,
                                     CubeMapProjector& projector) {
+    const auto raw =
+        CubeMapProjector::createTexels(context.gl, projector.faceSize(), "aolib/layers/raw");
+    if (!raw) {
+        return raw.status();
+    }
     const auto layers = peeling_.capture(context, geometry, projector, range,
                                          context.options.layeredIntervals.layers);
     if (!layers) {
@@ -115,29 +126,36 @@ Status DeferredShading::shadeLayers(const BackboneContext& context, const SceneG
     }
     projector.modelled = layers->modelled;
     projector.setDistanceCode(range.nearest, range.farthest);
-    projector.captureBytes = layers->bytes;
+    projector.captureBytes = layers->bytes + raw->bytes();
     projector.layers = layers->intervals.layers();
     visibility_.bind();
     LayerPeeling::bind(visibility_, *layers, projector.faceSize());
-    shadeFaces(context, radius, projector);
+    setEstimatorUniforms(visibility_, context.options, radius);
+    shadeFaces(context, visibility_, projector, *raw);
+    smooth_.bind();
+    LayerPeeling::bind(smooth_, *layers, projector.faceSize());
+    raw->bindTexture(0, 1);
+    smooth_.set("uRaw", 1);
+    shadeFaces(context, smooth_, projector, projector.texels());
     return {};
 }
 
-void DeferredShading::shadeFaces(const BackboneContext& context, float radius,
-                                 const CubeMapProjector& projector) {
-    const gl::DebugGroup group(context.gl, "aolib: visibility of a cube map");
+void DeferredShading::shadeFaces(const BackboneContext& context, gl::GLSLShader& shader,
+                                 const CubeMapProjector& projector,
+                                 const gl::RenderToTexture2D& texels) {
+    const gl::DebugGroup group(context.gl, "aolib: texels of a cube map");
     const gl::Functions& gl = context.gl;
     const std::array<GLfloat, 4> open{1.0F, 0.0F, 0.0F, 0.0F};
     const std::array<GLfloat, 4> nothing{0.0F, 0.0F, 0.0F, 0.0F};
-    projector.begin();
+    texels.beginAll();
     gl.ClearBufferfv(GL_COLOR, 0, open.data());
     gl.ClearBufferfv(GL_COLOR, 1, nothing.data());
-    visibility_.set("uDistanceCode", projector.distanceCode());
-    setEstimatorUniforms(visibility_, context.options, radius);
+    shader.set("uDistanceCode", projector.distanceCode());
+    const int size = projector.faceSize();
     for (int face = 0; face < kFaces; ++face) {
         if (projector.modelled[static_cast<std::size_t>(face)]) {
-            projector.beginFace(gl, face);
-            visibility_.set("uFace", face);
+            gl.Viewport(face * size, 0, size, size);
+            shader.set("uFace", face);
             context.generated.drawFullscreen();
         }
     }

@@ -24,12 +24,14 @@ private:
                         const DistanceRange& range, CubeMapProjector& projector);
     Status shadeLayers(const BackboneContext& context, const SceneGeometry& geometry, float radius,
                        const DistanceRange& range, CubeMapProjector& projector);
-    void shadeFaces(const BackboneContext& context, float radius,
-                    const CubeMapProjector& projector);
+    /// Runs the bound shader over the faces that hold geometry.
+    void shadeFaces(const BackboneContext& context, gl::GLSLShader& shader,
+                    const CubeMapProjector& projector, const gl::RenderToTexture2D& texels);
 
     gl::GLSLShader capture_;
     LayerPeeling peeling_;
     gl::GLSLShader visibility_;
+    gl::GLSLShader smooth_;
     Estimator estimator_{}; ///< that `visibility_` was built for
 };
 

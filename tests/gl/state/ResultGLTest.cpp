@@ -235,6 +235,31 @@ TEST_P(ResultGLTest, APoisonedHostGetsWhatACalmOneGets) {
     }
 }
 
+TEST_P(ResultGLTest, CubeMapsDoNotDependOnHowTheHostLooks) {
+    for (const Estimator estimator : {Estimator::HorizonSplit, Estimator::LayeredIntervals}) {
+        AmbientOcclusion ao = make(Backbone::Cubemapped, estimator);
+        const auto build = [&] {
+            const Result<CubeMapId> id = ao.addCubeMap({1, 3, 2});
+            EXPECT_TRUE(id.ok()) << id.status().message();
+            CubeMapImage image = *ao.readCubeMap(*id);
+            EXPECT_TRUE(ao.clear().ok());
+            return image;
+        };
+        poison->calm();
+        const CubeMapImage expected = build();
+        for (unsigned seed = 0; seed < seeds(60) && !HasFailure(); ++seed) {
+            Dice dice(seed);
+            HostView view = poison->randomView(dice);
+            view.target = HostTarget::Plain; // drivers complain about those that are incomplete
+            poison->apply(dice, view);
+            const CubeMapImage got = build();
+            EXPECT_EQ(difference(got.visibility, expected.visibility), "") << "seed " << seed;
+            EXPECT_EQ(difference(got.distance, expected.distance), "") << "seed " << seed;
+        }
+        poison->calm();
+    }
+}
+
 AOLIB_FOR_ALL_CONTEXTS(ResultGLTest);
 
 } // namespace

@@ -24,8 +24,9 @@ const float kPi = 3.14159265358979;
 const float kStepPower = 1.5;
 // The receiver is lifted off its surface by this many texel footprints.
 const float kLift = 0.1;
-// A sample's surface is continued along its tangent plane by at most this many step widths.
-const float kExtension = 4.0;
+// A sample's surface is continued along its tangent plane by at most this many step widths
+// (docs/accuracy.md has the errors for others).
+const float kExtension = 1.0;
 // exp(-L / radius) is below 1% from here on, in radii.
 const float kExpReach = 4.6;
 const float kInfinite = 1.0e29;

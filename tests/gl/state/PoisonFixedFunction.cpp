@@ -149,9 +149,13 @@ void Poison::setPixelTransfer(Dice& dice) {
         gl_.PixelMapfv(kFirstPixelMap + static_cast<GLenum>(map), dice.pick(1, {2, 4}),
                        content.data());
     }
+    // Mesa 22 writes a byte too far when it unpacks bits that do not begin with a byte.
+    const GLint skip = gl_.integer(GL_UNPACK_SKIP_PIXELS);
+    gl_.PixelStorei(GL_UNPACK_SKIP_PIXELS, 0);
     std::array<GLubyte, 1024> stipple{};
     stipple.fill(static_cast<GLubyte>(dice.integer(255, 0, 255)));
     gl_.PolygonStipple(stipple.data());
+    gl_.PixelStorei(GL_UNPACK_SKIP_PIXELS, skip);
     gl_.BindBuffer(GL_PIXEL_UNPACK_BUFFER, static_cast<GLuint>(unpack));
 }
 

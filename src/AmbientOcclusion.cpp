@@ -73,6 +73,14 @@ struct AmbientOcclusion::Impl {
         return result;
     }
 
+    /// A call to the backbone on a clean slate. Reports come after it: a message sink is the host's
+    /// code and finds the host's state.
+    template <typename Call>
+    auto guarded(Call call) {
+        const gl::StateGuard guard(gl);
+        return call(*backbone);
+    }
+
     Result<HostCamera> cameraAt(const glm::vec3& position) const;
     Status drawEnd(const glm::vec3& position);
 };
@@ -123,14 +131,17 @@ Status AmbientOcclusion::setOptions(const Options& options) {
         impl_->backbone->optionsChanged(before);
         return {};
     }
-    const gl::StateGuard guard(impl_->gl);
-    auto backbone = makeBackbone(impl_->context());
-    if (!backbone) {
+    Status status = impl_->guarded([&](AbstractBackbone& /*old*/) {
+        auto backbone = makeBackbone(impl_->context());
+        if (backbone) {
+            impl_->backbone = std::move(*backbone);
+        }
+        return backbone.status();
+    });
+    if (!status) {
         impl_->options = before;
-        return impl_->report(backbone.status());
     }
-    impl_->backbone = std::move(*backbone);
-    return {};
+    return impl_->report(std::move(status));
 }
 
 // ---- Scene definition ---------------------------------------------------------------------------
@@ -193,18 +204,17 @@ Result<CubeMapId> AmbientOcclusion::addCubeMap(const glm::vec3& position) {
         return impl_->report(
             Status(StatusCode::InvalidPosition, "the position of a cube map must be finite"));
     }
-    const gl::StateGuard guard(impl_->gl);
-    return impl_->report(impl_->backbone->addCubeMap(position));
+    return impl_->report(
+        impl_->guarded([&](AbstractBackbone& to) { return to.addCubeMap(position); }));
 }
 
 Status AmbientOcclusion::removeCubeMap(CubeMapId id) {
-    const gl::StateGuard guard(impl_->gl);
-    return impl_->report(impl_->backbone->removeCubeMap(id));
+    return impl_->report(
+        impl_->guarded([&](AbstractBackbone& to) { return to.removeCubeMap(id); }));
 }
 
 Status AmbientOcclusion::clear() {
-    const gl::StateGuard guard(impl_->gl);
-    return impl_->report(impl_->backbone->clear());
+    return impl_->report(impl_->guarded([&](AbstractBackbone& to) { return to.clear(); }));
 }
 
 std::vector<CubeMapInfo> AmbientOcclusion::cubeMaps() const {
@@ -314,13 +324,11 @@ Statistics AmbientOcclusion::statistics() const {
 }
 
 Result<VisibilityImage> AmbientOcclusion::readVisibility() {
-    const gl::StateGuard guard(impl_->gl);
-    return impl_->report(impl_->backbone->readVisibility());
+    return impl_->report(impl_->guarded([&](AbstractBackbone& to) { return to.readVisibility(); }));
 }
 
 Result<CubeMapImage> AmbientOcclusion::readCubeMap(CubeMapId id) {
-    const gl::StateGuard guard(impl_->gl);
-    return impl_->report(impl_->backbone->readCubeMap(id));
+    return impl_->report(impl_->guarded([&](AbstractBackbone& to) { return to.readCubeMap(id); }));
 }
 
 const Status& AmbientOcclusion::lastStatus() const {

@@ -29,7 +29,8 @@ public:
 
     /// Makes an instance for the current context: OpenGL 3.3 or newer, core or compatibility.
     /// @param loader  gives the address of a GL function, as eglGetProcAddress does.
-    /// Errors: NoContext, MissingCapability, InvalidOption, ShaderError. Context. Since 0.1.
+    /// Errors: NoContext, MissingCapability, InvalidOption, ShaderError, OutOfMemory. Context.
+    /// Since 0.1.
     static Result<AmbientOcclusion> create(const ProcAddressLoader& loader,
                                            const Options& options = {});
 
@@ -42,7 +43,8 @@ public:
 
     const Options& options() const;
     /// Takes effect at the next frame; what the change touches is rebuilt, the scene is kept.
-    /// A new `backbone` exchanges the strategy. Errors: InvalidOption (nothing changes). Since 0.1.
+    /// A new `backbone` exchanges the strategy. Errors, which change nothing: InvalidOption,
+    /// ShaderError, OutOfMemory. Context, where the backbone changes. Since 0.1.
     Status setOptions(const Options& options);
 
     // ---- Scene definition, one vertex at a time (thesis 4.7.1) -----------------------------

@@ -128,7 +128,8 @@ void Scene::update() {
 
 Scene::Clearance Scene::clearance(const glm::vec3& from) const {
     Clearance best{std::numeric_limits<float>::infinity(), glm::vec3(0.0F, 1.0F, 0.0F)};
-    for (const auto& [id, mesh] : meshes_) {
+    for (const auto& entry : meshes_) {
+        const Mesh& mesh = entry.second;
         const Bounds box = mesh.worldBounds();
         if (glm::distance(from, glm::clamp(from, box.min, box.max)) >= best.distance) {
             continue;

@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "SmallScene.h"
-#include "shared/cube_faces.h"
 
 namespace aolib {
 namespace {
@@ -27,14 +26,10 @@ protected:
 
     /// W of the texel that sees `point`.
     static float at(const CubeMapImage& cube, const glm::vec3& point) {
-        const glm::vec3 direction = point - cube.position;
-        const int face = shared::faceOf(direction);
-        const glm::vec2 uv = shared::faceCoordinates(face, direction);
-        const int x = static_cast<int>(uv.x * static_cast<float>(cube.faceSize));
-        const int y = static_cast<int>(uv.y * static_cast<float>(cube.faceSize));
-        const auto index = static_cast<std::size_t>((y * 6 + face) * cube.faceSize + x);
-        EXPECT_NEAR(cube.distance[index], glm::length(direction), 0.02F * glm::length(direction));
-        return cube.visibility[index];
+        const std::size_t texel = texelTowards(cube, point);
+        const float distance = glm::distance(point, cube.position);
+        EXPECT_NEAR(cube.distance[texel], distance, 0.02F * distance);
+        return cube.visibility[texel];
     }
 };
 

@@ -6,13 +6,6 @@
 namespace aolib {
 namespace {
 
-Model boxOnFloor() {
-    Model model;
-    addQuad(model, {-8, 0, -8}, {-8, 0, 8}, {8, 0, 8}, {8, 0, -8});
-    addBox(model, {-1, 0, -1}, {1, 2, 1});
-    return model;
-}
-
 class DebugViewGLTest : public GLTest {
 protected:
     void SetUp() override {

@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "SmallScene.h"
-#include "shared/cube_faces.h"
 
 namespace aolib {
 namespace {
@@ -27,12 +26,7 @@ protected:
         return *host.ao().readCubeMap(*id);
     }
     static float at(const CubeMapImage& cube, const glm::vec3& point) {
-        const glm::vec3 direction = point - cube.position;
-        const int face = shared::faceOf(direction);
-        const glm::vec2 uv = shared::faceCoordinates(face, direction);
-        const int x = static_cast<int>(uv.x * static_cast<float>(cube.faceSize));
-        const int y = static_cast<int>(uv.y * static_cast<float>(cube.faceSize));
-        return cube.visibility[static_cast<std::size_t>((y * 6 + face) * cube.faceSize + x)];
+        return cube.visibility[texelTowards(cube, point)];
     }
 
     CubeMapInfo info_;

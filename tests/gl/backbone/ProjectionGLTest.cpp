@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "SmallScene.h"
-#include "shared/cube_faces.h"
 
 namespace aolib {
 namespace {
@@ -28,13 +27,7 @@ class ProjectionGLTest : public GLTest {
 protected:
     /// W of the cube map by bilinear lookup in the direction of a world position.
     static float lookUp(const CubeMapImage& cube, const glm::vec3& point) {
-        const glm::vec3 direction = point - cube.position;
-        const int face = shared::faceOf(direction);
-        const glm::vec2 texel =
-            shared::faceCoordinates(face, direction) * static_cast<float>(cube.faceSize);
-        const auto x = static_cast<int>(texel.x);
-        const auto y = static_cast<int>(texel.y);
-        return cube.visibility[static_cast<std::size_t>((y * 6 + face) * cube.faceSize + x)];
+        return cube.visibility[texelTowards(cube, point)];
     }
 };
 

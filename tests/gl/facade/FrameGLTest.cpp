@@ -9,14 +9,6 @@
 namespace aolib {
 namespace {
 
-/// A floor with a box on it: open far out, dark where they meet.
-Model boxOnFloor() {
-    Model model;
-    addQuad(model, {-8, 0, -8}, {-8, 0, 8}, {8, 0, 8}, {8, 0, -8});
-    addBox(model, {-1, 0, -1}, {1, 2, 1});
-    return model;
-}
-
 Options radiusOne() {
     Options options;
     options.radius = 1.0F;

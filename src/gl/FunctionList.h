@@ -1,6 +1,7 @@
 #pragma once
 
-/// The GL functions that aolib calls, as (type, name): those of GL 3.3 core that must exist, ...
+/// The GL functions that aolib, and the tools that share its table, call, as (type, name): those of
+/// GL 3.3 core that must exist, ...
 #define AOLIB_GL_REQUIRED(X)                                                                       \
     X(PFNGLACTIVETEXTUREPROC, ActiveTexture)                                                       \
     X(PFNGLATTACHSHADERPROC, AttachShader)                                                         \
@@ -18,7 +19,6 @@
     X(PFNGLBUFFERDATAPROC, BufferData)                                                             \
     X(PFNGLCHECKFRAMEBUFFERSTATUSPROC, CheckFramebufferStatus)                                     \
     X(PFNGLCLAMPCOLORPROC, ClampColor)                                                             \
-    X(PFNGLCLEARPROC, Clear)                                                                       \
     X(PFNGLCLEARBUFFERFIPROC, ClearBufferfi)                                                       \
     X(PFNGLCLEARBUFFERFVPROC, ClearBufferfv)                                                       \
     X(PFNGLCLEARCOLORPROC, ClearColor)                                                             \
@@ -44,7 +44,6 @@
     X(PFNGLDEPTHRANGEPROC, DepthRange)                                                             \
     X(PFNGLDETACHSHADERPROC, DetachShader)                                                         \
     X(PFNGLDISABLEPROC, Disable)                                                                   \
-    X(PFNGLDISABLEVERTEXATTRIBARRAYPROC, DisableVertexAttribArray)                                 \
     X(PFNGLDISABLEIPROC, Disablei)                                                                 \
     X(PFNGLDRAWARRAYSPROC, DrawArrays)                                                             \
     X(PFNGLDRAWBUFFERPROC, DrawBuffer)                                                             \
@@ -56,7 +55,6 @@
     X(PFNGLENDQUERYPROC, EndQuery)                                                                 \
     X(PFNGLFENCESYNCPROC, FenceSync)                                                               \
     X(PFNGLFINISHPROC, Finish)                                                                     \
-    X(PFNGLFLUSHPROC, Flush)                                                                       \
     X(PFNGLFRAMEBUFFERRENDERBUFFERPROC, FramebufferRenderbuffer)                                   \
     X(PFNGLFRAMEBUFFERTEXTURE2DPROC, FramebufferTexture2D)                                         \
     X(PFNGLFRAMEBUFFERTEXTURELAYERPROC, FramebufferTextureLayer)                                   \
@@ -80,7 +78,6 @@
     X(PFNGLGETQUERYOBJECTIVPROC, GetQueryObjectiv)                                                 \
     X(PFNGLGETQUERYOBJECTUI64VPROC, GetQueryObjectui64v)                                           \
     X(PFNGLGETQUERYIVPROC, GetQueryiv)                                                             \
-    X(PFNGLGETRENDERBUFFERPARAMETERIVPROC, GetRenderbufferParameteriv)                             \
     X(PFNGLGETSHADERINFOLOGPROC, GetShaderInfoLog)                                                 \
     X(PFNGLGETSHADERIVPROC, GetShaderiv)                                                           \
     X(PFNGLGETSTRINGPROC, GetString)                                                               \
@@ -99,7 +96,6 @@
     X(PFNGLQUERYCOUNTERPROC, QueryCounter)                                                         \
     X(PFNGLREADBUFFERPROC, ReadBuffer)                                                             \
     X(PFNGLREADPIXELSPROC, ReadPixels)                                                             \
-    X(PFNGLRENDERBUFFERSTORAGEPROC, RenderbufferStorage)                                           \
     X(PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC, RenderbufferStorageMultisample)                     \
     X(PFNGLSCISSORPROC, Scissor)                                                                   \
     X(PFNGLSHADERSOURCEPROC, ShaderSource)                                                         \

@@ -10,7 +10,7 @@
 #include <glm/vec3.hpp>
 
 #include "reference/ParallelLoop.h"
-#include "reference/RayScene.h"
+#include "raytracing/RayScene.h"
 
 namespace aolib {
 

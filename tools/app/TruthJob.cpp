@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "reference/PictureTracer.h"
-#include "reference/RayScene.h"
+#include "raytracing/RayScene.h"
 
 namespace aolib::app {
 

@@ -3,7 +3,7 @@
 #include <aolib/Options.h>
 #include <glm/vec3.hpp>
 
-#include "reference/RayScene.h"
+#include "raytracing/RayScene.h"
 #include "reference/VisibilityTracer.h"
 #include "scene/TriangleMesh.h"
 

@@ -1,4 +1,4 @@
-#include "reference/RayScene.h"
+#include "raytracing/RayScene.h"
 
 #include <cmath>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "reference/RayScene.h"
+#include "raytracing/RayScene.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "reference/EmbreeApi.h"
+#include "raytracing/EmbreeApi.h"
 #include "scene/Bounds.h"
 
 namespace aolib {
@@ -44,11 +44,23 @@ using Device = std::unique_ptr<RTCDeviceTy, DeviceRelease>;
 using Scene = std::unique_ptr<RTCSceneTy, SceneRelease>;
 using Geometry = std::unique_ptr<RTCGeometryTy, GeometryRelease>;
 
-/// A ray in the scene's frame, its origin moved up to the scene when it lies far away.
-struct FrameRay {
+RTCRay embreeRay(const FrameRay& from) {
     RTCRay ray{};
-    bool empty = false; ///< nothing is left of it between tmin and tmax
-};
+    ray.org_x = from.origin.x;
+    ray.org_y = from.origin.y;
+    ray.org_z = from.origin.z;
+    ray.dir_x = from.direction.x;
+    ray.dir_y = from.direction.y;
+    ray.dir_z = from.direction.z;
+    ray.tfar = from.length;
+    ray.mask = ~0U;
+    return ray;
+}
+
+/// Embree's callback during a build. Called from its threads.
+bool goesOn(void* keepGoing, double /*fraction*/) {
+    return (*static_cast<const KeepGoing*>(keepGoing))();
+}
 
 bool finite(const glm::vec3& p) {
     return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
@@ -91,11 +103,11 @@ struct RayScene::Content {
     explicit Content(TriangleMesh given) : mesh(std::move(given)) { chooseFrame(); }
 
     void chooseFrame();
-    Status build();
+    Status build(const KeepGoing& keepGoing);
+    Status failure(RTCError code) const;
+    bool fillGeometry(RTCGeometry geometry) const;
     std::array<glm::dvec3, 3> corners(std::uint32_t triangle) const;
     glm::dvec3 toFrame(const glm::dvec3& p) const { return (p - centre) * scale; }
-    FrameRay frameRay(const glm::dvec3& origin, const glm::dvec3& direction, double tmin,
-                      double tmax) const;
 
     TriangleMesh mesh;
     std::vector<std::uint32_t> triangles; ///< the mesh's triangle behind each of Embree's
@@ -128,16 +140,38 @@ std::array<glm::dvec3, 3> RayScene::Content::corners(std::uint32_t triangle) con
             glm::dvec3(mesh.positions[index[2]])};
 }
 
-Status RayScene::Content::build() {
-    const auto failure = [this] {
-        const RTCError code = rtcGetDeviceError(device.get());
-        return Status(StatusCode::OutOfMemory,
-                      "Embree failed with error " + std::to_string(static_cast<int>(code)) +
-                          " on " + std::to_string(mesh.triangleCount()) + " triangles");
-    };
+Status RayScene::Content::failure(RTCError code) const {
+    if (code == RTC_ERROR_UNSUPPORTED_CPU) {
+        return {StatusCode::MissingCapability, "Embree does not run on this processor"};
+    }
+    return {StatusCode::OutOfMemory, "Embree failed with error " +
+                                         std::to_string(static_cast<int>(code)) + " on " +
+                                         std::to_string(mesh.triangleCount()) + " triangles"};
+}
+
+bool RayScene::Content::fillGeometry(RTCGeometry geometry) const {
+    auto* vertices = static_cast<glm::vec3*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                sizeof(glm::vec3), mesh.positions.size()));
+    auto* indices = static_cast<std::uint32_t*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                3 * sizeof(std::uint32_t), triangles.size()));
+    if (vertices == nullptr || indices == nullptr) {
+        return false;
+    }
+    for (const glm::vec3& p : mesh.positions) {
+        *vertices++ = glm::vec3(toFrame(glm::dvec3(p)));
+    }
+    for (const std::uint32_t t : triangles) {
+        indices = std::copy_n(&mesh.indices[std::size_t{t} * 3], 3, indices);
+    }
+    return true;
+}
+
+Status RayScene::Content::build(const KeepGoing& keepGoing) {
     device.reset(rtcNewDevice(nullptr));
     if (!device) {
-        return failure();
+        return failure(rtcGetDeviceError(nullptr));
     }
     for (std::uint32_t t = 0; t < mesh.triangleCount(); ++t) {
         const std::array<glm::dvec3, 3> p = corners(t);
@@ -148,56 +182,26 @@ Status RayScene::Content::build() {
     }
     scene.reset(rtcNewScene(device.get()));
     if (!scene) {
-        return failure();
+        return failure(rtcGetDeviceError(device.get()));
     }
     rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
     rtcSetSceneBuildQuality(scene.get(), RTC_BUILD_QUALITY_HIGH);
     if (!triangles.empty()) {
         const Geometry geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
-        auto* vertices = static_cast<glm::vec3*>(
-            rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                    sizeof(glm::vec3), mesh.positions.size()));
-        auto* indices = static_cast<std::uint32_t*>(
-            rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                    3 * sizeof(std::uint32_t), triangles.size()));
-        if (vertices == nullptr || indices == nullptr) {
-            return failure();
-        }
-        for (const glm::vec3& p : mesh.positions) {
-            *vertices++ = glm::vec3(toFrame(glm::dvec3(p)));
-        }
-        for (const std::uint32_t t : triangles) {
-            indices = std::copy_n(&mesh.indices[std::size_t{t} * 3], 3, indices);
+        if (!geometry || !fillGeometry(geometry.get())) {
+            return failure(rtcGetDeviceError(device.get()));
         }
         rtcCommitGeometry(geometry.get());
         rtcAttachGeometry(scene.get(), geometry.get());
     }
+    KeepGoing asked = keepGoing;
+    if (asked) {
+        rtcSetSceneProgressMonitorFunction(scene.get(), goesOn, &asked);
+    }
     rtcCommitScene(scene.get());
-    return rtcGetDeviceError(device.get()) == RTC_ERROR_NONE ? Status() : failure();
-}
-
-FrameRay RayScene::Content::frameRay(const glm::dvec3& origin, const glm::dvec3& direction,
-                                     double tmin, double tmax) const {
-    const glm::dvec3 d = glm::normalize(direction);
-    const glm::dvec3 o = toFrame(origin);
-    const double start = std::max(tmin * scale, -glm::dot(o, d) - reach);
-    const glm::dvec3 from = start == 0.0 ? o : o + d * start;
-    const double length = tmax * scale - start;
-    FrameRay result;
-    result.empty = !(length > 0.0);
-    RTCRay& ray = result.ray;
-    ray.org_x = static_cast<float>(from.x);
-    ray.org_y = static_cast<float>(from.y);
-    ray.org_z = static_cast<float>(from.z);
-    ray.dir_x = static_cast<float>(d.x);
-    ray.dir_y = static_cast<float>(d.y);
-    ray.dir_z = static_cast<float>(d.z);
-    ray.tnear = 0.0F;
-    ray.tfar = length < double{std::numeric_limits<float>::max()}
-                   ? static_cast<float>(length)
-                   : std::numeric_limits<float>::infinity();
-    ray.mask = ~0U;
-    return result;
+    rtcSetSceneProgressMonitorFunction(scene.get(), nullptr, nullptr);
+    const RTCError code = rtcGetDeviceError(device.get());
+    return code == RTC_ERROR_NONE ? Status() : failure(code);
 }
 
 RayScene::RayScene(std::unique_ptr<Content> content) : content_(std::move(content)) {}
@@ -205,35 +209,39 @@ RayScene::RayScene(RayScene&&) noexcept = default;
 RayScene& RayScene::operator=(RayScene&&) noexcept = default;
 RayScene::~RayScene() = default;
 
-Result<RayScene> RayScene::create(TriangleMesh mesh) {
+Result<RayScene> RayScene::create(TriangleMesh mesh, const KeepGoing& keepGoing) {
     if (Status status = check(mesh); !status) {
         return status;
     }
     auto content = std::make_unique<Content>(std::move(mesh));
-    if (Status status = content->build(); !status) {
+    if (Status status = content->build(keepGoing); !status) {
         return status;
     }
     return RayScene(std::move(content));
 }
 
-std::optional<Hit> RayScene::intersect(const glm::dvec3& origin, const glm::dvec3& direction,
-                                       double tmin, double tmax) const {
-    FrameRay from = content_->frameRay(origin, direction, tmin, tmax);
-    if (from.empty) {
-        return std::nullopt;
-    }
-    RTCRayHit rayHit{};
-    rayHit.ray = from.ray;
-    rayHit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    rayHit.hit.primID = RTC_INVALID_GEOMETRY_ID;
-    embree::intersect(content_->scene.get(), rayHit);
-    if (rayHit.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
-        return std::nullopt;
-    }
+FrameRay RayScene::frameRay(const glm::dvec3& origin, const glm::dvec3& direction, double tmin,
+                            double tmax) const {
+    const glm::dvec3 d = glm::normalize(direction);
+    const glm::dvec3 o = content_->toFrame(origin);
+    const double start = std::max(tmin * content_->scale, -glm::dot(o, d) - reach);
+    const double length = tmax * content_->scale - start;
+    FrameRay ray;
+    ray.origin = glm::vec3(start == 0.0 ? o : o + d * start);
+    ray.direction = glm::vec3(d);
+    ray.length = length < double{std::numeric_limits<float>::max()}
+                     ? static_cast<float>(length)
+                     : std::numeric_limits<float>::infinity();
+    ray.empty = !(length > 0.0);
+    return ray;
+}
+
+Hit RayScene::rebuilt(const FrameHit& from, const glm::dvec3& origin,
+                      const glm::dvec3& direction) const {
     Hit hit;
-    hit.triangle = content_->triangles[rayHit.hit.primID];
-    hit.u = double{rayHit.hit.u};
-    hit.v = double{rayHit.hit.v};
+    hit.triangle = content_->triangles[from.primitive];
+    hit.u = double{from.u};
+    hit.v = double{from.v};
     const std::array<glm::dvec3, 3> p = content_->corners(hit.triangle);
     hit.position = p[0] + hit.u * (p[1] - p[0]) + hit.v * (p[2] - p[0]);
     hit.normal = glm::normalize(glm::cross(p[1] - p[0], p[2] - p[0]));
@@ -246,14 +254,44 @@ std::optional<Hit> RayScene::intersect(const glm::dvec3& origin, const glm::dvec
     return hit;
 }
 
+std::optional<Hit> RayScene::intersect(const glm::dvec3& origin, const glm::dvec3& direction,
+                                       double tmin, double tmax) const {
+    const FrameRay from = frameRay(origin, direction, tmin, tmax);
+    if (from.empty) {
+        return std::nullopt;
+    }
+    RTCRayHit rayHit{};
+    rayHit.ray = embreeRay(from);
+    rayHit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    rayHit.hit.primID = RTC_INVALID_GEOMETRY_ID;
+    embree::intersect(content_->scene.get(), rayHit);
+    if (rayHit.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
+        return std::nullopt;
+    }
+    return rebuilt({rayHit.hit.primID, rayHit.hit.u, rayHit.hit.v}, origin, direction);
+}
+
 bool RayScene::occluded(const glm::dvec3& origin, const glm::dvec3& direction, double tmin,
                         double tmax) const {
-    FrameRay from = content_->frameRay(origin, direction, tmin, tmax);
+    const FrameRay from = frameRay(origin, direction, tmin, tmax);
     if (from.empty) {
         return false;
     }
-    embree::occluded(content_->scene.get(), from.ray);
-    return from.ray.tfar < 0.0F;
+    RTCRay ray = embreeRay(from);
+    embree::occluded(content_->scene.get(), ray);
+    return ray.tfar < 0.0F;
+}
+
+glm::dvec3 RayScene::toFrame(const glm::dvec3& position) const {
+    return content_->toFrame(position);
+}
+
+double RayScene::scale() const {
+    return content_->scale;
+}
+
+RTCSceneTy* RayScene::embree() const {
+    return content_->scene.get();
 }
 
 double RayScene::clearance(const glm::dvec3& position, const glm::dvec3& normal) const {

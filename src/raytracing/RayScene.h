@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -9,6 +10,9 @@
 #include <glm/vec3.hpp>
 
 #include "scene/TriangleMesh.h"
+
+/// Embree's scene, so that this header needs none of Embree's.
+struct RTCSceneTy;
 
 namespace aolib {
 
@@ -23,6 +27,25 @@ struct Hit {
     double clearance = 0.0; ///< a ray starting this far above the triangle does not meet it again
 };
 
+/// A ray as it is traced: single precision, in the scene's frame, its origin moved up to the scene
+/// when it lies far away.
+struct FrameRay {
+    glm::vec3 origin{0.0F};
+    glm::vec3 direction{0.0F}; ///< unit length
+    float length = 0.0F;       ///< frame units, may be infinite
+    bool empty = false;        ///< nothing is left of it between tmin and tmax
+};
+
+/// What Embree tells of a hit.
+struct FrameHit {
+    std::uint32_t primitive = 0; ///< Embree's
+    float u = 0.0F;              ///< barycentric weight of the triangle's second vertex
+    float v = 0.0F;              ///< barycentric weight of the triangle's third vertex
+};
+
+/// Asked now and then, from any thread, whether to go on with what takes long.
+using KeepGoing = std::function<bool()>;
+
 /// Triangles that rays can be shot at. Two-sided; triangles without area are left out.
 ///
 /// Rays are traced in single precision, in a frame of the scene's own: centred, and scaled by a
@@ -34,8 +57,9 @@ class RayScene {
 public:
     /// Builds the acceleration structure. An empty mesh is allowed: nothing is ever hit.
     /// Errors: IncompletePrimitive, InvalidIndex, InvalidPosition, InvalidNormal (not finite, or as
-    /// many as there are positions is not what there is), OutOfMemory.
-    static Result<RayScene> create(TriangleMesh mesh);
+    /// many as there are positions is not what there is), MissingCapability (Embree does not run on
+    /// this processor), OutOfMemory; any where `keepGoing` said no.
+    static Result<RayScene> create(TriangleMesh mesh, const KeepGoing& keepGoing = {});
 
     RayScene(RayScene&&) noexcept;
     RayScene& operator=(RayScene&&) noexcept;
@@ -55,6 +79,15 @@ public:
     /// units, when all that is known is that the position was once rounded to float: one float ulp
     /// of the position, and the rounding of the scene's own frame.
     double clearance(const glm::dvec3& position, const glm::dvec3& normal) const;
+
+    /// For tracing many rays at once, as `intersect()` and `occluded()` do with one. All that
+    /// comes from a ray in the frame is in the frame; `scale()` is in frame units per world unit.
+    FrameRay frameRay(const glm::dvec3& origin, const glm::dvec3& direction, double tmin,
+                      double tmax) const;
+    Hit rebuilt(const FrameHit& hit, const glm::dvec3& origin, const glm::dvec3& direction) const;
+    glm::dvec3 toFrame(const glm::dvec3& position) const;
+    double scale() const;
+    RTCSceneTy* embree() const;
 
     /// The mesh as it was given, triangles without area included.
     const TriangleMesh& mesh() const;

@@ -12,6 +12,7 @@ void addRenderCommand(CLI::App& program, MaybeFailure& failure);
 void addCompareCommand(CLI::App& program, MaybeFailure& failure);
 void addTruthCommand(CLI::App& program, MaybeFailure& failure);
 void addScenesCommand(CLI::App& program, MaybeFailure& failure);
+void addBenchCommand(CLI::App& program, MaybeFailure& failure);
 void addDemoCommand(CLI::App& program, MaybeFailure& failure);
 
 } // namespace aolib::app

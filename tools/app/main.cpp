@@ -25,6 +25,7 @@ int run(int argc, char** argv) {
     aolib::app::addCompareCommand(program, failure);
     aolib::app::addTruthCommand(program, failure);
     aolib::app::addScenesCommand(program, failure);
+    aolib::app::addBenchCommand(program, failure);
     aolib::app::addDemoCommand(program, failure);
     const std::string first = argc > 1 ? argv[1] : "";
     const bool known =

@@ -1,0 +1,240 @@
+#include "bench/FacadeRun.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include <aolib/AmbientOcclusion.h>
+
+#include "bench/CubeMapPositions.h"
+#include "bench/HostedFrames.h"
+#include "host/ModelScene.h"
+
+namespace aolib::bench {
+
+namespace {
+
+/// Faces of the small build that warms the driver up, texels.
+constexpr int kWarmUpFaces = 16;
+/// A build is looked at again when it has taken so many times as long.
+constexpr double kLookAgain = 1.25;
+constexpr double kMsPerSecond = 1000.0;
+
+/// Times of all builds of a measurement.
+struct Gathered {
+    std::vector<double> frameMs;
+    std::vector<double> hostMs;
+    std::vector<double> buildMs;
+    std::vector<double> convergedMs;
+};
+
+/// A build so far.
+struct Build {
+    Clock::time_point began;
+    double hostMs = 0.0; ///< spent on the host's drawing since then
+    double nextLook = 0.0;
+    int frames = 0;
+    bool shown = false; ///< a frame showed the method's result
+
+    /// Wall clock since it began, the host's drawing left out.
+    double spent() const { return millisecondsSince(began) - hostMs; }
+};
+
+} // namespace
+
+struct FacadeRun::Impl {
+    Impl(const OpenedScene& opened, const PictureSize& pictureSize, AmbientOcclusion library,
+         HostedFrames host)
+        : scene(opened), size(pictureSize), ao(std::move(library)), frames(std::move(host)) {}
+
+    Status warmUp(const Options& options, const glm::vec3& eye);
+    Status buildOnce(const FacadeMethod& method, const std::vector<glm::vec3>& positions,
+                     const Truth& truth, const Patience& patience, Measurement& m, Gathered& all);
+    Status converge(const Options& options, const Truth& truth, const Patience& patience,
+                    Build& build, Measurement& m);
+    Status look(const Truth& truth, double spent, Build& build, Measurement& m);
+    Status timeFrames(const Patience& patience, Gathered& all);
+    void countMemory(Measurement& m) const;
+
+    const OpenedScene& scene;
+    const PictureSize size;
+    AmbientOcclusion ao;
+    HostedFrames frames;
+};
+
+FacadeRun::FacadeRun(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+FacadeRun::FacadeRun(FacadeRun&&) noexcept = default;
+FacadeRun::~FacadeRun() = default;
+
+Loaded<FacadeRun> FacadeRun::create(const gl::Functions& gl, const ProcAddressLoader& loader,
+                                    const OpenedScene& scene, const PictureSize& size) {
+    const auto failed = [&](const Status& status) {
+        return LoadError{scene.entry.name + ": " + status.message()};
+    };
+    Result<AmbientOcclusion> ao = AmbientOcclusion::create(loader);
+    if (!ao) {
+        return failed(ao.status());
+    }
+    if (const auto meshes = host::describeScene(*ao, scene.model, host::SceneNormals::Geometric);
+        !meshes) {
+        return failed(meshes.status());
+    }
+    Result<HostedFrames> frames = HostedFrames::create(gl, scene.model, size);
+    if (!frames) {
+        return failed(frames.status());
+    }
+    return FacadeRun(std::make_unique<Impl>(scene, size, std::move(*ao), std::move(*frames)));
+}
+
+Measurement FacadeRun::measure(const FacadeMethod& method, const BenchCase& which,
+                               const Truth& truth, const Patience& patience) {
+    const NamedCamera& camera = impl_->scene.cameras[which.camera];
+    FacadeMethod sized = method;
+    sized.options.radius = static_cast<float>(which.radiusShare * impl_->scene.diagonal);
+    impl_->frames.setCamera(camera);
+    const std::vector<glm::vec3> positions =
+        cubeMapPositions(impl_->scene, camera, impl_->size, method.cubeMaps);
+    Measurement m;
+    Gathered all;
+    Status status = impl_->warmUp(sized.options, camera.eye);
+    for (int turn = 0; status && turn < patience.repeat; ++turn) {
+        status = impl_->buildOnce(sized, positions, truth, patience, m, all);
+    }
+    if (!status) {
+        m.failure = status.message();
+        return m;
+    }
+    m.frameMs = spreadOf(std::move(all.frameMs));
+    m.hostMs = spreadOf(std::move(all.hostMs));
+    m.buildMs = spreadOf(std::move(all.buildMs));
+    m.convergedMs = spreadOf(std::move(all.convergedMs));
+    impl_->countMemory(m);
+    return m;
+}
+
+/// One small build and one frame, so that no shader is compiled while the clock runs.
+Status FacadeRun::Impl::warmUp(const Options& options, const glm::vec3& eye) {
+    Options small = options;
+    small.cubeMaps.faceSize = std::min(small.cubeMaps.faceSize, kWarmUpFaces);
+    if (Status status = ao.setOptions(small); !status) {
+        return status;
+    }
+    if (options.backbone == Backbone::Cubemapped) {
+        ao.clear();
+        if (const Result<CubeMapId> id = ao.addCubeMap(eye); !id) {
+            return id.status();
+        }
+    }
+    if (const Result<FrameTimes> frame = frames.draw(ao); !frame) {
+        return frame.status();
+    }
+    ao.clear();
+    return ao.setOptions(options);
+}
+
+Status FacadeRun::Impl::buildOnce(const FacadeMethod& method,
+                                  const std::vector<glm::vec3>& positions, const Truth& truth,
+                                  const Patience& patience, Measurement& m, Gathered& all) {
+    ao.clear();
+    frames.finish();
+    m.path.clear();
+    Build build{.began = Clock::now()};
+    for (const glm::vec3& position : positions) {
+        if (const Result<CubeMapId> id = ao.addCubeMap(position); !id) {
+            return id.status();
+        }
+    }
+    frames.finish();
+    if (Status status = converge(method.options, truth, patience, build, m); !status) {
+        return status;
+    }
+    const double convergedMs = m.path.back().ms;
+    Gathered now;
+    if (Status status = timeFrames(patience, now); !status) {
+        return status;
+    }
+    const double usual = spreadOf(now.frameMs).median;
+    all.convergedMs.push_back(convergedMs);
+    all.buildMs.push_back(positions.empty() ? 0.0
+                                            : std::max(convergedMs - build.frames * usual, 0.0));
+    all.frameMs.insert(all.frameMs.end(), now.frameMs.begin(), now.frameMs.end());
+    all.hostMs.insert(all.hostMs.end(), now.hostMs.begin(), now.hostMs.end());
+    return {};
+}
+
+Status FacadeRun::Impl::converge(const Options& options, const Truth& truth,
+                                 const Patience& patience, Build& build, Measurement& m) {
+    const double beforeFrames = build.spent(); // spent in addCubeMap()
+    m.worstFrameMs = -1.0;
+    for (;;) {
+        const Result<FrameTimes> frame = frames.draw(ao);
+        if (!frame) {
+            return frame.status();
+        }
+        build.hostMs += frame->hostMs;
+        const double spent = build.spent();
+        ++build.frames;
+        const Statistics statistics = ao.statistics();
+        m.worstFrameMs = std::max(m.worstFrameMs, frame->aoMs);
+        const bool shows =
+            options.backbone == Backbone::ScreenSpace || statistics.cubeMapsProjected > 0;
+        // A frame that built something may not show all of it yet: look at one more.
+        const bool done = shows && statistics.converged && statistics.cubeMapsBuilt == 0;
+        m.converged = done;
+        const bool over = spent - beforeFrames > patience.buildSeconds * kMsPerSecond;
+        if (done || over || (shows && (!build.shown || spent >= build.nextLook))) {
+            if (Status status = look(truth, spent, build, m); !status) {
+                return status;
+            }
+        }
+        if (done || over) {
+            m.framesToConverge = build.frames;
+            return {};
+        }
+    }
+}
+
+/// Reads the picture back and notes what it is worth.
+Status FacadeRun::Impl::look(const Truth& truth, double spent, Build& build, Measurement& m) {
+    const Result<VisibilityImage> picture = ao.readVisibility();
+    if (!picture) {
+        return picture.status();
+    }
+    m.final = compareWithTruth(picture->visibility, truth);
+    m.path.push_back({spent, m.final.rmse});
+    if (!build.shown) {
+        build.shown = true;
+        m.first = m.final;
+        m.firstMs = spent;
+    }
+    build.nextLook = kLookAgain * spent;
+    return {};
+}
+
+Status FacadeRun::Impl::timeFrames(const Patience& patience, Gathered& all) {
+    if (const Result<FrameTimes> warm = frames.draw(ao); !warm) {
+        return warm.status();
+    }
+    for (int i = 0; i < patience.frames; ++i) {
+        const Result<FrameTimes> frame = frames.draw(ao);
+        if (!frame) {
+            return frame.status();
+        }
+        all.frameMs.push_back(frame->aoMs);
+        all.hostMs.push_back(frame->hostMs);
+    }
+    return {};
+}
+
+void FacadeRun::Impl::countMemory(Measurement& m) const {
+    const Statistics statistics = ao.statistics();
+    m.coverage = static_cast<double>(statistics.coverage);
+    m.bytesKept = statistics.bytesKept;
+    m.bytesFrame = statistics.bytesFrame;
+    m.bytesCapture = 0;
+    for (const CubeMapInfo& cubeMap : ao.cubeMaps()) {
+        m.bytesCapture = std::max(m.bytesCapture, cubeMap.captureBytes);
+    }
+}
+
+} // namespace aolib::bench

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <chrono>
+
+#include <aolib/AmbientOcclusion.h>
+#include <glm/mat4x4.hpp>
+
+#include "bench/Receivers.h"
+#include "content/Model.h"
+#include "content/NamedCamera.h"
+#include "gl/Functions.h"
+#include "host/HostFramebuffer.h"
+#include "host/HostRenderer.h"
+
+namespace aolib::bench {
+
+using Clock = std::chrono::steady_clock;
+
+double millisecondsSince(Clock::time_point begin);
+
+/// What a frame took, wall clock with the GPU's work done, milliseconds.
+struct FrameTimes {
+    double hostMs = 0.0; ///< the host's own drawing
+    double aoMs = 0.0;   ///< aoDrawEnd()
+};
+
+/// A host that draws a model, and times itself and the library. Context.
+class HostedFrames {
+public:
+    /// @param gl  must outlive it. Errors: as HostRenderer and HostFramebuffer.
+    static Result<HostedFrames> create(const gl::Functions& gl, const Model& model,
+                                       const PictureSize& size);
+
+    void setCamera(const NamedCamera& camera);
+    /// Draws a frame with ambient occlusion. Errors: those of the library.
+    Result<FrameTimes> draw(AmbientOcclusion& ao);
+    void finish() const { gl_->Finish(); }
+
+private:
+    HostedFrames(const gl::Functions& gl, host::HostRenderer renderer,
+                 host::HostFramebuffer target);
+
+    const gl::Functions* gl_;
+    host::HostRenderer renderer_;
+    host::HostFramebuffer target_;
+    glm::mat4 view_{1.0F};
+    glm::mat4 projection_{1.0F};
+    glm::vec3 eye_{0.0F};
+};
+
+} // namespace aolib::bench

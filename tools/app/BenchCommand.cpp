@@ -17,6 +17,7 @@
 #include "bench/CaseTable.h"
 #include "bench/MethodTable.h"
 #include "bench/ParetoFiles.h"
+#include "bench/ParetoPlots.h"
 #include "bench/ParetoRun.h"
 #include "bench/ParetoSummary.h"
 
@@ -53,10 +54,13 @@ struct ParetoFlags {
 /// Runs while the command line is parsed; what it was called with is worth keeping.
 std::string commandLine(const CLI::App& command) {
     std::string line = "aolib bench " + command.get_name();
-    for (const CLI::Option* option : command.parse_order()) {
-        line += " " + option->get_name();
+    for (const CLI::Option* option : command.get_options()) {
+        if (option->get_items_expected_max() == 0 && option->count() > 0) {
+            line += " " + option->get_name();
+            continue;
+        }
         for (const std::string& value : option->results()) {
-            line += option->get_type_size() > 0 ? " " + value : "";
+            line += " " + option->get_name() + " " + value;
         }
     }
     return line;
@@ -175,6 +179,16 @@ Outcome<bench::ParetoSettings> settingsOf(const ParetoFlags& flags) {
     return settings;
 }
 
+/// Everything that is known so far: an interrupted run keeps it.
+std::string writeAll(const bench::ParetoSettings& settings,
+                     const std::vector<bench::ParetoRow>& rows) {
+    std::string reason = bench::writeParetoFiles(settings, rows);
+    for (const auto write : {bench::writeCasePlots, bench::writeMeanPlots}) {
+        reason = reason.empty() ? write(settings, rows) : reason;
+    }
+    return reason;
+}
+
 MaybeFailure run(const ParetoFlags& flags, const std::string& line) {
     if (flags.list) {
         printLists();
@@ -203,7 +217,7 @@ MaybeFailure run(const ParetoFlags& flags, const std::string& line) {
         std::cerr << "aolib: warning: " << remark << '\n';
     };
     reports.caseDone = [&](const std::vector<bench::ParetoRow>& rows) {
-        return bench::writeParetoFiles(*settings, rows);
+        return writeAll(*settings, rows);
     };
     const Loaded<std::vector<bench::ParetoRow>> rows =
         bench::runPareto(session->gl(), session->loader(), *settings, reports);

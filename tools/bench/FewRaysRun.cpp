@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "bench/HostedFrames.h"
-#include "reference/CosineSampling.h"
+#include "raytracing/CosineSampling.h"
 #include "reference/ParallelLoop.h"
 
 namespace aolib::bench {

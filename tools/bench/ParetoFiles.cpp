@@ -1,14 +1,10 @@
 #include "bench/ParetoFiles.h"
 
-#include <cmath>
-#include <cstdio>
-#include <span>
-
 #include <nlohmann/json.hpp>
 
 #include "bench/CsvLine.h"
 #include "bench/ParetoSummary.h"
-#include "image/FileContent.h"
+#include "bench/TextFile.h"
 
 namespace aolib::bench {
 
@@ -89,13 +85,8 @@ Json toJson(const MethodSummary& s) {
             {"frame_ms", known(s.frameMs)},
             {"frame_ms_q1", known(s.frameMsLow)},
             {"frame_ms_q3", known(s.frameMsHigh)},
-            {"build_ms", known(s.buildMs)}};
-}
-
-std::string write(const std::filesystem::path& file, const std::string& text) {
-    const auto* bytes = reinterpret_cast<const std::uint8_t*>(text.data());
-    const ImageOutcome failure = writeFile(file, std::span(bytes, text.size()));
-    return failure ? failure->message : "";
+            {"build_ms", known(s.buildMs)},
+            {"converged_ms", known(s.convergedMs)}};
 }
 
 } // namespace
@@ -160,9 +151,9 @@ std::string paretoJson(const ParetoSettings& settings, const std::vector<ParetoR
 }
 
 std::string writeParetoFiles(const ParetoSettings& settings, const std::vector<ParetoRow>& rows) {
-    std::string reason = write(settings.out / "pareto.csv", paretoCsv(rows));
+    std::string reason = writeText(settings.out / "pareto.csv", paretoCsv(rows));
     if (reason.empty()) {
-        reason = write(settings.out / "pareto.json", paretoJson(settings, rows));
+        reason = writeText(settings.out / "pareto.json", paretoJson(settings, rows));
     }
     return reason;
 }

@@ -26,6 +26,7 @@ struct Columns {
     std::vector<double> first;
     std::vector<double> frameMs;
     std::vector<double> buildMs;
+    std::vector<double> convergedMs;
 
     void add(const ParetoRow& row) {
         const Measurement& m = row.measured;
@@ -42,6 +43,7 @@ struct Columns {
         first.push_back(m.first.rmse);
         frameMs.push_back(m.frameMs.median);
         buildMs.push_back(m.buildMs.median);
+        convergedMs.push_back(m.convergedMs.median);
     }
 
     MethodSummary summary() const {
@@ -60,6 +62,7 @@ struct Columns {
         summary.frameMsLow = frames.low;
         summary.frameMsHigh = frames.high;
         summary.buildMs = mean(buildMs);
+        summary.convergedMs = spreadOf(convergedMs).median;
         return summary;
     }
 };

@@ -21,7 +21,8 @@ struct MethodSummary {
     double frameMs = -1.0;    ///< median over cases of their medians
     double frameMsLow = -1.0; ///< quartiles of those
     double frameMsHigh = -1.0;
-    double buildMs = -1.0; ///< mean over cases of their medians
+    double convergedMs = -1.0; ///< median over cases of their medians
+    double buildMs = -1.0;     ///< mean over cases of their medians
 };
 
 /// One per method, in the order in which they first occur.

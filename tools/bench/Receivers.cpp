@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 
-#include "reference/CosineSampling.h"
+#include "raytracing/CosineSampling.h"
 #include "reference/ParallelLoop.h"
 
 namespace aolib::bench {

@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "reference/CosineSampling.h"
+#include "raytracing/CosineSampling.h"
 
 namespace aolib {
 

@@ -1,4 +1,4 @@
-#include "reference/CosineSampling.h"
+#include "raytracing/CosineSampling.h"
 
 #include <cmath>
 #include <vector>

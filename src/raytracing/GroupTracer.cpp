@@ -1,0 +1,168 @@
+#include "raytracing/GroupTracer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <glm/geometric.hpp>
+
+#include "raytracing/EmbreeApi.h"
+
+namespace aolib {
+
+namespace {
+
+constexpr std::size_t lanes = SurfaceGroup::capacity;
+
+/// Beyond this many radii `e^(-L/radius)` is below 3e-9, a thirtieth of the last bit of a float W.
+constexpr double expReach = 20.0;
+
+/// Surfaces face alike when the cosine of their normals to the first one's is at least this.
+constexpr float alikeCosine = 0.9F;
+
+/// Fewer texels than this leave too many lanes of a packet empty.
+constexpr std::size_t fewTexels = 8;
+
+bool alike(const SurfaceGroup& group) {
+    const glm::vec3& first = group.surfaces[0].basis[2];
+    return std::all_of(group.surfaces.begin(), group.surfaces.begin() + std::ptrdiff_t(group.count),
+                       [&](const TexelSurface& surface) {
+                           return glm::dot(surface.basis[2], first) >= alikeCosine;
+                       });
+}
+
+double frameLength(const RayScene& scene, Falloff falloff, float radius) {
+    switch (falloff) {
+    case Falloff::Step:
+        return double{radius} * scene.scale();
+    case Falloff::Exp:
+        return expReach * double{radius} * scene.scale();
+    case Falloff::None:
+        break;
+    }
+    return std::numeric_limits<double>::infinity();
+}
+
+} // namespace
+
+/// Embree's packet, whether its lanes are to be traced, and the answer.
+struct GroupTracer::Packet {
+    RTCRayHit16 rays{};
+    alignas(64) int valid[lanes] = {};
+    alignas(64) std::array<float, lanes> weights{};
+
+    void setOrigin(std::size_t lane, const glm::vec3& origin) {
+        rays.ray.org_x[lane] = origin.x;
+        rays.ray.org_y[lane] = origin.y;
+        rays.ray.org_z[lane] = origin.z;
+        rays.ray.mask[lane] = ~0U;
+        valid[lane] = -1;
+    }
+};
+
+GroupTracer::GroupTracer(const RayScene& scene, Falloff falloff, float radius)
+    : scene_(scene), falloff_(falloff),
+      length_(static_cast<float>(std::min(frameLength(scene, falloff, radius), 0x1p100))),
+      decay_(static_cast<float>(1.0 / (double{radius} * scene.scale()))) {}
+
+void GroupTracer::trace(const SurfaceGroup& group, std::uint32_t start, int count, Sums& sums) {
+    const bool packetsFill = std::size_t(count) % lanes == 0;
+    const bool facingAlike = alike(group);
+    const bool byCell = !packetsFill || (facingAlike && group.count >= fewTexels);
+    spread(group, start, count, byCell);
+    if (byCell) {
+        traceCells(group, count, packetsFill && facingAlike, sums);
+    } else {
+        traceTexels(group, count, sums);
+    }
+}
+
+/// Fills the slots with directions.
+void GroupTracer::spread(const SurfaceGroup& group, std::uint32_t start, int count, bool byCell) {
+    const auto rays = static_cast<std::size_t>(count);
+    const std::size_t texelStride = byCell ? 1 : rays;
+    const std::size_t cellStride = byCell ? lanes : 1;
+    for (std::size_t texel = 0; texel < group.count; ++texel) {
+        const TexelSurface& surface = group.surfaces[texel];
+        const glm::mat3 b = surface.basis;
+        chunk_.fill(surface.seed, start, count);
+        for (std::size_t i = 0; i < rays; ++i) {
+            const float x = chunk_.x[i];
+            const float y = chunk_.y[i];
+            const float z = chunk_.z[i];
+            chunk_.x[i] = b[0].x * x + b[1].x * y + b[2].x * z;
+            chunk_.y[i] = b[0].y * x + b[1].y * y + b[2].y * z;
+            chunk_.z[i] = b[0].z * x + b[1].z * y + b[2].z * z;
+        }
+        for (std::size_t i = 0; i < rays; ++i) {
+            const std::size_t slot = texel * texelStride + chunk_.cell[i] * cellStride;
+            x_[slot] = chunk_.x[i];
+            y_[slot] = chunk_.y[i];
+            z_[slot] = chunk_.z[i];
+        }
+    }
+}
+
+void GroupTracer::traceCells(const SurfaceGroup& group, int count, bool coherent, Sums& sums) {
+    Packet packet;
+    for (std::size_t texel = 0; texel < group.count; ++texel) {
+        packet.setOrigin(texel, group.surfaces[texel].origin);
+    }
+    const auto cells = static_cast<std::size_t>(count);
+    for (std::size_t cell = 0; cell < cells; ++cell) {
+        load(packet, cell * lanes);
+        weigh(packet, coherent);
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+            sums[lane] += packet.weights[lane];
+        }
+    }
+}
+
+void GroupTracer::traceTexels(const SurfaceGroup& group, int count, Sums& sums) {
+    Packet packet;
+    const auto rays = static_cast<std::size_t>(count);
+    for (std::size_t texel = 0; texel < group.count; ++texel) {
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+            packet.setOrigin(lane, group.surfaces[texel].origin);
+        }
+        for (std::size_t first = 0; first < rays; first += lanes) {
+            load(packet, texel * rays + first);
+            weigh(packet, false);
+            for (const float weight : packet.weights) {
+                sums[texel] += weight;
+            }
+        }
+    }
+}
+
+void GroupTracer::load(Packet& packet, std::size_t slot) const {
+    RTCRay16& ray = packet.rays.ray;
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+        ray.dir_x[lane] = x_[slot + lane];
+        ray.dir_y[lane] = y_[slot + lane];
+        ray.dir_z[lane] = z_[slot + lane];
+        ray.tfar[lane] = length_;
+    }
+}
+
+/// Traces the packet's rays.
+void GroupTracer::weigh(Packet& packet, bool coherent) const {
+    const auto coherence = coherent ? embree::Coherence::Coherent : embree::Coherence::Incoherent;
+    RTCRay16& ray = packet.rays.ray;
+    if (falloff_ != Falloff::Exp) {
+        embree::occluded(scene_.embree(), packet.valid, ray, coherence);
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+            packet.weights[lane] = ray.tfar[lane] < 0.0F ? 1.0F : 0.0F;
+        }
+        return;
+    }
+    std::fill_n(packet.rays.hit.geomID, lanes, RTC_INVALID_GEOMETRY_ID);
+    embree::intersect(scene_.embree(), packet.valid, packet.rays, coherence);
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+        packet.weights[lane] = packet.rays.hit.geomID[lane] == RTC_INVALID_GEOMETRY_ID
+                                   ? 0.0F
+                                   : std::exp(-ray.tfar[lane] * decay_);
+    }
+}
+
+} // namespace aolib

@@ -1,0 +1,174 @@
+#include "raytracing/RequestTracer.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <string>
+
+#include "raytracing/CosineSampling.h"
+#include "raytracing/GroupTracer.h"
+#include "raytracing/SurfaceFinder.h"
+#include "raytracing/SurfaceGroup.h"
+
+namespace aolib {
+
+namespace {
+
+constexpr int largestFace = 65536;
+constexpr int longestSequence = 1 << 30;
+/// Texels are visited in blocks of this edge, a packet's worth: what they see is close together.
+constexpr int blockEdge = 4;
+static_assert(std::size_t{blockEdge * blockEdge} == SurfaceFinder::packet);
+
+bool within(int begin, int count, int end) {
+    return begin >= 0 && count >= 1 && begin < end && count <= end - begin;
+}
+
+Status invalid(const std::string& what) {
+    return {StatusCode::InvalidOption, "a request for texels: " + what};
+}
+
+/// One request on its way.
+class RequestTracer {
+public:
+    RequestTracer(const RayScene& scene, const TexelRequest& request, const KeepGoing& keepGoing);
+
+    bool traceAll();
+    TracedTexels&& result() { return std::move(result_); }
+
+private:
+    bool traceBlock(int column, int row);
+    bool traceGroup();
+
+    const RayScene& scene_;
+    const KeepGoing& keepGoing_;
+    SurfaceFinder finder_;
+    GroupTracer tracer_;
+    SurfaceGroup group_;
+    TracedTexels result_;
+};
+
+RequestTracer::RequestTracer(const RayScene& scene, const TexelRequest& request,
+                             const KeepGoing& keepGoing)
+    : scene_(scene), keepGoing_(keepGoing), finder_(scene, request),
+      tracer_(scene, request.falloff, request.radius) {
+    const std::size_t texels =
+        static_cast<std::size_t>(request.width) * static_cast<std::size_t>(request.height);
+    result_.request = request;
+    result_.visibility.assign(texels, 1.0F);
+    result_.distance.assign(texels, -1.0F);
+    result_.normal.assign(texels, glm::vec3(0.0F));
+}
+
+bool RequestTracer::traceAll() {
+    const TexelRequest& request = result_.request;
+    for (int row = 0; row < request.height; row += blockEdge) {
+        for (int column = 0; column < request.width; column += blockEdge) {
+            if (!traceBlock(column, row)) {
+                return false;
+            }
+        }
+    }
+    return group_.count == 0 || traceGroup();
+}
+
+/// Finds what a block's texels see, and traces whenever a group is full.
+/// @param column, row  of the request's own texels.
+bool RequestTracer::traceBlock(int column, int row) {
+    const TexelRequest& request = result_.request;
+    std::array<SurfaceFinder::Texel, SurfaceFinder::packet> texels;
+    std::array<std::size_t, SurfaceFinder::packet> places{};
+    std::size_t count = 0;
+    for (int y = row; y < std::min(row + blockEdge, request.height); ++y) {
+        for (int x = column; x < std::min(column + blockEdge, request.width); ++x) {
+            texels[count] = {request.x + x, request.y + y};
+            places[count++] = static_cast<std::size_t>(y) * std::size_t(request.width) +
+                              static_cast<std::size_t>(x);
+        }
+    }
+    const SurfaceFinder::SeenList seen = finder_.find({texels.data(), count});
+    for (std::size_t i = 0; i < count; ++i) {
+        if (!seen[i]) {
+            continue;
+        }
+        result_.distance[places[i]] = static_cast<float>(seen[i]->hit.distance);
+        result_.normal[places[i]] = glm::vec3(seen[i]->normal);
+        const glm::dvec3 lifted = seen[i]->hit.position + seen[i]->hit.clearance * seen[i]->normal;
+        group_.add({glm::vec3(scene_.toFrame(lifted)), glm::mat3(basisAbout(seen[i]->normal)),
+                    sequenceSeed(request.face, texels[i].x, texels[i].y), places[i]});
+        if (group_.full() && !traceGroup()) {
+            return false;
+        }
+    }
+    return keepGoing_();
+}
+
+/// Cuts the rays into chunks that are as long as they can be: a power of two, starting at a
+/// multiple of it.
+bool RequestTracer::traceGroup() {
+    const TexelRequest& request = result_.request;
+    const int end = request.firstRay + request.rays;
+    std::array<double, SurfaceGroup::capacity> sums{};
+    for (int start = request.firstRay; start < end;) {
+        const int alignment = start == 0 ? RayChunk::capacity : start & -start;
+        const int left = static_cast<int>(std::bit_floor(static_cast<unsigned>(end - start)));
+        const int count = std::min({RayChunk::capacity, alignment, left});
+        GroupTracer::Sums chunk{};
+        tracer_.trace(group_, static_cast<std::uint32_t>(start), count, chunk);
+        std::transform(sums.begin(), sums.end(), chunk.begin(), sums.begin(),
+                       [](double sum, float more) { return sum + double{more}; });
+        start += count;
+        if (!keepGoing_()) {
+            return false;
+        }
+    }
+    for (std::size_t i = 0; i < group_.count; ++i) {
+        result_.visibility[group_.surfaces[i].texel] =
+            static_cast<float>(1.0 - sums[i] / double(request.rays));
+    }
+    group_.count = 0;
+    return true;
+}
+
+} // namespace
+
+Status checkRequest(const TexelRequest& request) {
+    if (!std::isfinite(request.centre.x) || !std::isfinite(request.centre.y) ||
+        !std::isfinite(request.centre.z)) {
+        return {StatusCode::InvalidPosition,
+                "a request for texels: the centre of the cube map is not finite"};
+    }
+    if (request.face < 0 || request.face > 5) {
+        return invalid("face is " + std::to_string(request.face) + ", must be 0 to 5");
+    }
+    if (request.faceSize < 1 || request.faceSize > largestFace) {
+        return invalid("face size is " + std::to_string(request.faceSize) + ", must be 1 to 65536");
+    }
+    if (!within(request.x, request.width, request.faceSize) ||
+        !within(request.y, request.height, request.faceSize)) {
+        return invalid(std::to_string(request.width) + " x " + std::to_string(request.height) +
+                       " texels at (" + std::to_string(request.x) + ", " +
+                       std::to_string(request.y) + ") of a face of " +
+                       std::to_string(request.faceSize));
+    }
+    if (!within(request.firstRay, request.rays, longestSequence)) {
+        return invalid(std::to_string(request.rays) + " rays from " +
+                       std::to_string(request.firstRay) + " on, must be 1 or more within 2^30");
+    }
+    const bool reaches = std::isfinite(request.radius) && request.radius > 0.0F;
+    if (request.falloff != Falloff::None && !reaches) {
+        return invalid("radius is " + std::to_string(request.radius) + ", must be above 0");
+    }
+    return {};
+}
+
+std::optional<TracedTexels> traceRequest(const RayScene& scene, const TexelRequest& request,
+                                         const KeepGoing& keepGoing) {
+    RequestTracer tracer(scene, request, keepGoing);
+    if (!tracer.traceAll()) {
+        return std::nullopt;
+    }
+    return tracer.result();
+}
+
+} // namespace aolib

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <optional>
+
+#include <aolib/AbstractTexelTracer.h>
+#include <aolib/Status.h>
+
+#include "raytracing/RayScene.h"
+
+namespace aolib {
+
+/// Why a request cannot be traced: InvalidOption, InvalidPosition.
+Status checkRequest(const TexelRequest& request);
+
+/// Traces a valid request; nothing when `keepGoing` said no, which it is asked after every 1024
+/// rays at the latest. Throws std::bad_alloc.
+std::optional<TracedTexels> traceRequest(const RayScene& scene, const TexelRequest& request,
+                                         const KeepGoing& keepGoing);
+
+} // namespace aolib

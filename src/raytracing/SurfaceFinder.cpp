@@ -1,0 +1,56 @@
+#include "raytracing/SurfaceFinder.h"
+
+#include <limits>
+
+#include <glm/geometric.hpp>
+
+#include "raytracing/EmbreeApi.h"
+#include "shared/cube_faces.h"
+
+namespace aolib {
+
+SurfaceFinder::SurfaceFinder(const RayScene& scene, const TexelRequest& request)
+    : scene_(scene), centre_(request.centre), nearest_(scene.clearance(centre_, glm::dvec3(1.0))),
+      faceSize_(request.faceSize), forward_(shared::faceForward(request.face)),
+      right_(shared::faceRight(request.face)), up_(shared::faceUp(request.face)) {}
+
+glm::dvec3 SurfaceFinder::direction(const Texel& texel) const {
+    const double u = (2.0 * texel.x + 1.0) / faceSize_ - 1.0;
+    const double v = (2.0 * texel.y + 1.0) / faceSize_ - 1.0;
+    return glm::normalize(forward_ + u * right_ + v * up_);
+}
+
+SurfaceFinder::SeenList SurfaceFinder::find(std::span<const Texel> texels) const {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    std::array<glm::dvec3, packet> directions;
+    alignas(64) int valid[packet] = {};
+    RTCRayHit16 rays{};
+    for (std::size_t i = 0; i < texels.size(); ++i) {
+        directions[i] = direction(texels[i]);
+        const FrameRay ray = scene_.frameRay(centre_, directions[i], nearest_, infinity);
+        valid[i] = ray.empty ? 0 : -1;
+        rays.ray.org_x[i] = ray.origin.x;
+        rays.ray.org_y[i] = ray.origin.y;
+        rays.ray.org_z[i] = ray.origin.z;
+        rays.ray.dir_x[i] = ray.direction.x;
+        rays.ray.dir_y[i] = ray.direction.y;
+        rays.ray.dir_z[i] = ray.direction.z;
+        rays.ray.tfar[i] = ray.length;
+        rays.ray.mask[i] = ~0U;
+        rays.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+    }
+    embree::intersect(scene_.embree(), valid, rays, embree::Coherence::Coherent);
+    SeenList list;
+    for (std::size_t i = 0; i < texels.size(); ++i) {
+        if (valid[i] == 0 || rays.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) {
+            continue;
+        }
+        const Hit hit = scene_.rebuilt({rays.hit.primID[i], rays.hit.u[i], rays.hit.v[i]}, centre_,
+                                       directions[i]);
+        const bool away = glm::dot(hit.normal, directions[i]) > 0.0;
+        list[i] = Seen{hit, away ? -hit.normal : hit.normal};
+    }
+    return list;
+}
+
+} // namespace aolib

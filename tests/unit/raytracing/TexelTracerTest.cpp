@@ -1,0 +1,278 @@
+#include <aolib/RayTracing.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "TestScenes.h"
+#include "raytracing/RequestTracer.h"
+
+namespace aolib {
+namespace {
+
+constexpr double longTime = 6e5;           ///< milliseconds
+constexpr int endlessRays = (1 << 30) - 1; ///< hours of work
+
+std::unique_ptr<AbstractTexelTracer> tracerOf(int threads) {
+    auto tracer = createTexelTracer(threads);
+    EXPECT_TRUE(tracer) << tracer.status().message();
+    return std::move(*tracer);
+}
+
+void setScene(AbstractTexelTracer& tracer, const TriangleMesh& mesh) {
+    tracer.setScene(mesh.positions, mesh.indices);
+}
+
+/// Tile number `key` of a cube map of 32 x 32 texels, 16 tiles a face.
+TexelRequest tile(std::uint64_t key, int rays = 16) {
+    TexelRequest request;
+    request.key = key;
+    request.centre = {2.0F, 1.0F, 0.0F};
+    request.faceSize = 32;
+    request.face = static_cast<int>(key / 16 % 6);
+    request.x = static_cast<int>(key % 4) * 8;
+    request.y = static_cast<int>(key / 4 % 4) * 8;
+    request.width = 8;
+    request.height = 8;
+    request.rays = rays;
+    request.radius = 1.5F;
+    return request;
+}
+
+std::vector<TexelRequest> tiles(std::uint64_t begin, std::uint64_t end) {
+    std::vector<TexelRequest> queue;
+    for (std::uint64_t key = begin; key < end; ++key) {
+        queue.push_back(tile(key));
+    }
+    return queue;
+}
+
+/// Everything that is asked for and not yet taken.
+std::vector<TracedTexels> takeAll(AbstractTexelTracer& tracer) {
+    std::vector<TracedTexels> all;
+    while (tracer.pending() > 0) {
+        EXPECT_TRUE(tracer.wait(longTime));
+        for (TracedTexels& texels : tracer.take(3)) {
+            all.push_back(std::move(texels));
+        }
+    }
+    return all;
+}
+
+TEST(TexelTracer, ResultsDoNotDependOnThreads) {
+    const TriangleMesh mesh = test::floorAndWall(2.0);
+    const RayScene scene = test::sceneOf(mesh);
+    for (const int threads : {1, 4}) {
+        const auto tracer = tracerOf(threads);
+        setScene(*tracer, mesh);
+        tracer->request(tiles(0, 96));
+        const std::vector<TracedTexels> all = takeAll(*tracer);
+        ASSERT_EQ(all.size(), 96U);
+        for (const TracedTexels& texels : all) {
+            const auto alone = traceRequest(scene, texels.request, [] { return true; });
+            EXPECT_EQ(texels.visibility, alone->visibility);
+            EXPECT_EQ(texels.distance, alone->distance);
+            EXPECT_EQ(texels.normal, alone->normal);
+        }
+        EXPECT_TRUE(tracer->status());
+    }
+}
+
+TEST(TexelTracer, OneWorkerServesInTheQueuesOrder) {
+    const auto tracer = tracerOf(1);
+    setScene(*tracer, test::floorAndWall(2.0));
+    std::vector<TexelRequest> queue = tiles(0, 20);
+    std::ranges::reverse(queue);
+    tracer->request(queue);
+    const std::vector<TracedTexels> all = takeAll(*tracer);
+    ASSERT_EQ(all.size(), 20U);
+    for (std::size_t i = 0; i < 20; ++i) {
+        EXPECT_EQ(all[i].request.key, 19 - i);
+    }
+}
+
+TEST(TexelTracer, EveryRequestIsAnsweredOnce) {
+    const auto tracer = tracerOf(3);
+    setScene(*tracer, test::floorAndWall(2.0));
+    tracer->request(tiles(0, 60));
+    EXPECT_EQ(tracer->pending(), 60U);
+    std::map<std::uint64_t, int> times;
+    for (const TracedTexels& texels : takeAll(*tracer)) {
+        ++times[texels.request.key];
+    }
+    EXPECT_EQ(times.size(), 60U);
+    EXPECT_TRUE(std::ranges::all_of(times, [](const auto& entry) { return entry.second == 1; }));
+}
+
+TEST(TexelTracer, TakeGivesAtMostWhatIsAskedFor) {
+    const auto tracer = tracerOf(1);
+    setScene(*tracer, test::floorAndWall(2.0));
+    tracer->request(tiles(0, 5));
+    while (tracer->take(0).empty() && tracer->pending() > 0 && tracer->wait(longTime)) {
+        std::this_thread::yield();
+        if (tracer->take(2).size() == 2) {
+            break;
+        }
+        tracer->request(tiles(0, 5));
+    }
+    EXPECT_LE(tracer->pending(), 8U);
+    takeAll(*tracer);
+    EXPECT_TRUE(tracer->take(10).empty());
+}
+
+TEST(TexelTracer, ANewQueueReplacesTheOld) {
+    const auto tracer = tracerOf(1);
+    setScene(*tracer, test::floorAndWall(2.0));
+    std::vector<TexelRequest> old = tiles(0, 2000);
+    tracer->request(old);
+    ASSERT_TRUE(tracer->wait(longTime));
+    tracer->request(tiles(5000, 5004));
+    // What was finished, at most one that was begun, and the new ones.
+    const std::vector<TracedTexels> all = takeAll(*tracer);
+    EXPECT_LT(all.size(), 2000U);
+    ASSERT_GE(all.size(), 4U);
+    for (std::size_t i = 0; i < 4; ++i) {
+        EXPECT_EQ(all[all.size() - 4 + i].request.key, 5000 + i);
+    }
+    tracer->request(tiles(0, 10));
+    tracer->request({});
+    EXPECT_LE(takeAll(*tracer).size(), 1U);
+}
+
+TEST(TexelTracer, WaitEndsAtItsLimitOrWhenNothingIsLeft) {
+    const auto tracer = tracerOf(1);
+    EXPECT_TRUE(tracer->wait(longTime));
+    setScene(*tracer, test::floorAndWall(2.0));
+    EXPECT_TRUE(tracer->wait(longTime));
+    tracer->request({tile(50, endlessRays)});
+    EXPECT_FALSE(tracer->wait(1.0));
+    EXPECT_FALSE(tracer->wait(0.0));
+    EXPECT_FALSE(tracer->wait(-1.0));
+    EXPECT_FALSE(tracer->wait(std::numeric_limits<double>::quiet_NaN()));
+    EXPECT_EQ(tracer->pending(), 1U);
+}
+
+/// Without the checks between pieces these would take hours.
+TEST(TexelTracer, EndsInTheMiddleOfItsWork) {
+    const auto tracer = tracerOf(4);
+    setScene(*tracer, test::floorAndWall(2.0));
+    tracer->request({tile(50, endlessRays), tile(51, endlessRays), tile(16, endlessRays)});
+    EXPECT_FALSE(tracer->wait(20.0));
+}
+
+TEST(TexelTracer, ANewSceneDropsAllThatTheOldOneLeft) {
+    const auto tracer = tracerOf(2);
+    setScene(*tracer, test::floorAndWall(2.0));
+    tracer->request(tiles(0, 40));
+    ASSERT_TRUE(tracer->wait(longTime));
+    std::vector<TexelRequest> queue = {tile(50, endlessRays), tile(51, endlessRays)};
+    tracer->request(queue);
+    EXPECT_TRUE(tracer->wait(longTime)) << "results of before are still there";
+    setScene(*tracer, test::box());
+    EXPECT_EQ(tracer->pending(), 0U);
+    EXPECT_TRUE(tracer->wait(longTime));
+    EXPECT_TRUE(tracer->take(100).empty());
+    TexelRequest request = tile(3, 64);
+    request.centre = {0.0F, 0.0F, 0.0F};
+    request.falloff = Falloff::None;
+    tracer->request({request});
+    const std::vector<TracedTexels> all = takeAll(*tracer);
+    ASSERT_EQ(all.size(), 1U);
+    EXPECT_EQ(*std::ranges::max_element(all[0].visibility), 0.0F);
+}
+
+TEST(TexelTracer, ScenesMayChangeAtAnyTime) {
+    const auto tracer = tracerOf(3);
+    for (int i = 0; i < 40; ++i) {
+        setScene(*tracer, i % 2 == 0 ? test::sphere(5.0) : test::floorAndWall(2.0));
+        tracer->request(tiles(0, 30));
+        if (i % 3 == 0) {
+            tracer->wait(0.5);
+        }
+    }
+    const TriangleMesh mesh = test::floorAndWall(2.0);
+    const RayScene scene = test::sceneOf(mesh);
+    const std::vector<TracedTexels> all = takeAll(*tracer);
+    EXPECT_EQ(all.size(), 30U);
+    for (const TracedTexels& texels : all) {
+        EXPECT_EQ(texels.visibility,
+                  traceRequest(scene, texels.request, [] { return true; })->visibility);
+    }
+}
+
+TEST(TexelTracer, MayBeAskedFromManyThreads) {
+    const auto tracer = tracerOf(2);
+    setScene(*tracer, test::floorAndWall(2.0));
+    {
+        std::vector<std::jthread> hosts;
+        for (int host = 0; host < 3; ++host) {
+            hosts.emplace_back([&tracer, host] {
+                for (int i = 0; i < 50; ++i) {
+                    tracer->request(tiles(0, 8));
+                    tracer->take(2);
+                    tracer->wait(0.1);
+                    tracer->status();
+                    if (host == 0 && i % 10 == 0) {
+                        setScene(*tracer, test::box());
+                    }
+                }
+            });
+        }
+    }
+    takeAll(*tracer);
+    EXPECT_TRUE(tracer->status()) << tracer->status().message();
+}
+
+TEST(TexelTracer, ARejectedSceneSaysWhy) {
+    const auto tracer = tracerOf(1);
+    TriangleMesh mesh = test::box();
+    mesh.positions[5].y = std::numeric_limits<float>::quiet_NaN();
+    const auto rejected = [&](const TriangleMesh& bad) {
+        setScene(*tracer, bad);
+        tracer->request(tiles(0, 3));
+        EXPECT_TRUE(tracer->wait(longTime));
+        EXPECT_EQ(tracer->pending(), 0U);
+        return tracer->status().code();
+    };
+    EXPECT_EQ(rejected(mesh), StatusCode::InvalidPosition);
+    mesh = test::box();
+    mesh.indices[4] = 1000;
+    EXPECT_EQ(rejected(mesh), StatusCode::InvalidIndex);
+    mesh = test::box();
+    mesh.indices.pop_back();
+    EXPECT_EQ(rejected(mesh), StatusCode::IncompletePrimitive);
+    setScene(*tracer, test::box());
+    EXPECT_TRUE(tracer->status());
+    tracer->request(tiles(0, 3));
+    EXPECT_EQ(takeAll(*tracer).size(), 3U);
+}
+
+TEST(TexelTracer, BadRequestsAreLeftOut) {
+    const auto tracer = tracerOf(1);
+    tracer->request(tiles(0, 3));
+    EXPECT_EQ(tracer->status().code(), StatusCode::NoScene);
+    EXPECT_EQ(tracer->pending(), 0U);
+    setScene(*tracer, test::box());
+    std::vector<TexelRequest> queue = tiles(0, 3);
+    queue[1].face = 7;
+    tracer->request(queue);
+    EXPECT_EQ(tracer->pending(), 2U);
+    EXPECT_EQ(tracer->status().code(), StatusCode::InvalidOption);
+    const std::vector<TracedTexels> all = takeAll(*tracer);
+    ASSERT_EQ(all.size(), 2U);
+    EXPECT_EQ(all[1].request.key, 2U);
+}
+
+TEST(TexelTracer, ThreadsOutOfRangeAreRefused) {
+    EXPECT_EQ(createTexelTracer(-1).status().code(), StatusCode::InvalidOption);
+    EXPECT_EQ(createTexelTracer(1025).status().code(), StatusCode::InvalidOption);
+    EXPECT_TRUE(createTexelTracer());
+}
+
+} // namespace
+} // namespace aolib

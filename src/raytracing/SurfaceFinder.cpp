@@ -1,5 +1,6 @@
 #include "raytracing/SurfaceFinder.h"
 
+#include <cmath>
 #include <limits>
 
 #include <glm/geometric.hpp>
@@ -8,6 +9,13 @@
 #include "shared/cube_faces.h"
 
 namespace aolib {
+
+namespace {
+
+/// Sine of the angle to a plane below which a ray does not tell where it meets it.
+constexpr double leastSlope = 1e-3;
+
+} // namespace
 
 SurfaceFinder::SurfaceFinder(const RayScene& scene, const TexelRequest& request)
     : scene_(scene), centre_(request.centre), nearest_(scene.clearance(centre_, glm::dvec3(1.0))),
@@ -18,6 +26,18 @@ glm::dvec3 SurfaceFinder::direction(const Texel& texel) const {
     const double u = (2.0 * texel.x + 1.0) / faceSize_ - 1.0;
     const double v = (2.0 * texel.y + 1.0) / faceSize_ - 1.0;
     return glm::normalize(forward_ + u * right_ + v * up_);
+}
+
+/// Barycentrics are off by a rounding of the triangle's size, which may be that of the scene. In
+/// its plane, which is exact, the ray says where the point is, unless it runs along the plane.
+SurfaceFinder::Seen SurfaceFinder::seen(const Hit& hit, const glm::dvec3& direction) const {
+    const double slope = glm::dot(hit.normal, direction);
+    Seen result{hit, slope > 0.0 ? -hit.normal : hit.normal};
+    if (std::abs(slope) > leastSlope) {
+        result.hit.distance = glm::dot(hit.position - centre_, hit.normal) / slope;
+        result.hit.position = centre_ + result.hit.distance * direction;
+    }
+    return result;
 }
 
 SurfaceFinder::SeenList SurfaceFinder::find(std::span<const Texel> texels) const {
@@ -47,8 +67,7 @@ SurfaceFinder::SeenList SurfaceFinder::find(std::span<const Texel> texels) const
         }
         const Hit hit = scene_.rebuilt({rays.hit.primID[i], rays.hit.u[i], rays.hit.v[i]}, centre_,
                                        directions[i]);
-        const bool away = glm::dot(hit.normal, directions[i]) > 0.0;
-        list[i] = Seen{hit, away ? -hit.normal : hit.normal};
+        list[i] = seen(hit, directions[i]);
     }
     return list;
 }

@@ -23,7 +23,7 @@ public:
         int y = 0;
     };
     struct Seen {
-        Hit hit;
+        Hit hit;                ///< `u` and `v` apart, on the texel's ray in double precision
         glm::dvec3 normal{0.0}; ///< of the hit, turned to the centre
     };
     using SeenList = std::array<std::optional<Seen>, packet>;
@@ -35,6 +35,7 @@ public:
 
 private:
     glm::dvec3 direction(const Texel& texel) const;
+    Seen seen(const Hit& hit, const glm::dvec3& direction) const;
 
     const RayScene& scene_;
     glm::dvec3 centre_;

@@ -20,7 +20,8 @@ public:
 
 } // namespace
 
-void* operator new(std::size_t size) {
+// Not inlined: GCC 12 would take malloc and delete for a mismatch.
+[[gnu::noinline]] void* operator new(std::size_t size) {
     void* const block = size > largestBlock ? nullptr : std::malloc(size);
     if (block == nullptr) {
         throw std::bad_alloc();
@@ -28,11 +29,11 @@ void* operator new(std::size_t size) {
     return block;
 }
 
-void operator delete(void* block) noexcept {
+[[gnu::noinline]] void operator delete(void* block) noexcept {
     std::free(block);
 }
 
-void operator delete(void* block, std::size_t /*size*/) noexcept {
+[[gnu::noinline]] void operator delete(void* block, std::size_t /*size*/) noexcept {
     std::free(block);
 }
 

@@ -8,14 +8,13 @@
 
 #include "bench/CubeMapPositions.h"
 #include "bench/HostedFrames.h"
+#include "bench/WarmUp.h"
 #include "host/ModelScene.h"
 
 namespace aolib::bench {
 
 namespace {
 
-/// Faces of the small build that warms the driver up, texels.
-constexpr int kWarmUpFaces = 16;
 /// A build is looked at again when it has taken so many times as long.
 constexpr double kLookAgain = 1.25;
 constexpr double kMsPerSecond = 1000.0;
@@ -47,7 +46,6 @@ struct FacadeRun::Impl {
          HostedFrames host)
         : scene(opened), size(pictureSize), ao(std::move(library)), frames(std::move(host)) {}
 
-    Status warmUp(const Options& options, const glm::vec3& eye);
     Status buildOnce(const FacadeMethod& method, const std::vector<glm::vec3>& positions,
                      const Truth& truth, const Patience& patience, Measurement& m, Gathered& all);
     Status converge(const Options& options, const Truth& truth, const Patience& patience,
@@ -96,7 +94,7 @@ Measurement FacadeRun::measure(const FacadeMethod& method, const BenchCase& whic
         cubeMapPositions(impl_->scene, camera, impl_->size, method.cubeMaps);
     Measurement m;
     Gathered all;
-    Status status = impl_->warmUp(sized.options, camera.eye);
+    Status status = warmUp(impl_->ao, impl_->frames, sized.options, camera.eye);
     for (int turn = 0; status && turn < patience.repeat; ++turn) {
         status = impl_->buildOnce(sized, positions, truth, patience, m, all);
     }
@@ -110,26 +108,6 @@ Measurement FacadeRun::measure(const FacadeMethod& method, const BenchCase& whic
     m.convergedMs = spreadOf(std::move(all.convergedMs));
     impl_->countMemory(m);
     return m;
-}
-
-/// One small build and one frame, so that no shader is compiled while the clock runs.
-Status FacadeRun::Impl::warmUp(const Options& options, const glm::vec3& eye) {
-    Options small = options;
-    small.cubeMaps.faceSize = std::min(small.cubeMaps.faceSize, kWarmUpFaces);
-    if (Status status = ao.setOptions(small); !status) {
-        return status;
-    }
-    if (options.backbone == Backbone::Cubemapped) {
-        ao.clear();
-        if (const Result<CubeMapId> id = ao.addCubeMap(eye); !id) {
-            return id.status();
-        }
-    }
-    if (const Result<FrameTimes> frame = frames.draw(ao); !frame) {
-        return frame.status();
-    }
-    ao.clear();
-    return ao.setOptions(options);
 }
 
 Status FacadeRun::Impl::buildOnce(const FacadeMethod& method,

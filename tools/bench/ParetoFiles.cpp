@@ -1,16 +1,13 @@
 #include "bench/ParetoFiles.h"
 
-#include <nlohmann/json.hpp>
-
 #include "bench/CsvLine.h"
 #include "bench/ParetoSummary.h"
+#include "bench/ResultJson.h"
 #include "bench/TextFile.h"
 
 namespace aolib::bench {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string_view kindName(SceneKind kind) {
     switch (kind) {
@@ -24,21 +21,13 @@ std::string_view kindName(SceneKind kind) {
     return "";
 }
 
-Json known(double value) {
-    return value >= 0.0 ? Json(value) : Json(nullptr);
-}
-
-Json toJson(const Spread& spread) {
-    return {{"median", known(spread.median)},
-            {"q1", known(spread.low)},
-            {"q3", known(spread.high)},
-            {"count", spread.count}};
-}
-
 Json toJson(const ErrorFigures& error) {
-    return {{"rmse", known(error.rmse)},        {"bias", error.bias},
-            {"p95", known(error.percentile95)}, {"max", known(error.maximum)},
-            {"missing", error.missing},         {"not_numbers", error.notNumbers}};
+    return {{"rmse", knownJson(error.rmse)},
+            {"bias", error.bias},
+            {"p95", knownJson(error.percentile95)},
+            {"max", knownJson(error.maximum)},
+            {"missing", error.missing},
+            {"not_numbers", error.notNumbers}};
 }
 
 Json toJson(const ParetoRow& row) {
@@ -55,16 +44,16 @@ Json toJson(const ParetoRow& row) {
             {"family", familyName(row.method.family)},
             {"failure", m.failure},
             {"converged", m.converged},
-            {"frame_ms", toJson(m.frameMs)},
-            {"host_ms", toJson(m.hostMs)},
-            {"build_ms", toJson(m.buildMs)},
-            {"converged_ms", toJson(m.convergedMs)},
-            {"first_ms", known(m.firstMs)},
-            {"worst_frame_ms", known(m.worstFrameMs)},
+            {"frame_ms", spreadJson(m.frameMs)},
+            {"host_ms", spreadJson(m.hostMs)},
+            {"build_ms", spreadJson(m.buildMs)},
+            {"converged_ms", spreadJson(m.convergedMs)},
+            {"first_ms", knownJson(m.firstMs)},
+            {"worst_frame_ms", knownJson(m.worstFrameMs)},
             {"frames_to_converge", m.framesToConverge},
             {"error", toJson(m.final)},
             {"error_first", toJson(m.first)},
-            {"coverage", known(m.coverage)},
+            {"coverage", knownJson(m.coverage)},
             {"bytes_kept", m.bytesKept},
             {"bytes_capture", m.bytesCapture},
             {"bytes_frame", m.bytesFrame},
@@ -76,17 +65,17 @@ Json toJson(const MethodSummary& s) {
     return {{"method", s.method.name},
             {"cases", s.cases},
             {"failures", s.failures},
-            {"rmse", known(s.rmse)},
-            {"rmse_without_foliage", known(s.rmseSolid)},
-            {"rmse_generated", known(s.rmseGenerated)},
-            {"rmse_foliage", known(s.rmseFoliage)},
-            {"rmse_worst", known(s.worst)},
-            {"rmse_first", known(s.rmseFirst)},
-            {"frame_ms", known(s.frameMs)},
-            {"frame_ms_q1", known(s.frameMsLow)},
-            {"frame_ms_q3", known(s.frameMsHigh)},
-            {"build_ms", known(s.buildMs)},
-            {"converged_ms", known(s.convergedMs)}};
+            {"rmse", knownJson(s.rmse)},
+            {"rmse_without_foliage", knownJson(s.rmseSolid)},
+            {"rmse_generated", knownJson(s.rmseGenerated)},
+            {"rmse_foliage", knownJson(s.rmseFoliage)},
+            {"rmse_worst", knownJson(s.worst)},
+            {"rmse_first", knownJson(s.rmseFirst)},
+            {"frame_ms", knownJson(s.frameMs)},
+            {"frame_ms_q1", knownJson(s.frameMsLow)},
+            {"frame_ms_q3", knownJson(s.frameMsHigh)},
+            {"build_ms", knownJson(s.buildMs)},
+            {"converged_ms", knownJson(s.convergedMs)}};
 }
 
 } // namespace
@@ -127,14 +116,7 @@ std::string paretoJson(const ParetoSettings& settings, const std::vector<ParetoR
     for (const MethodSummary& method : summarise(rows)) {
         summary.push_back(toJson(method));
     }
-    const MachineInfo& machine = settings.machine;
-    const Json all{{"machine",
-                    {{"cpu", machine.cpu},
-                     {"cores", machine.cores},
-                     {"driver", machine.driver},
-                     {"commit", machine.commit},
-                     {"date", machine.date},
-                     {"command", settings.commandLine}}},
+    const Json all{{"machine", machineJson(settings.machine, settings.commandLine)},
                    {"settings",
                     {{"width", settings.truth.size.width},
                      {"height", settings.truth.size.height},
@@ -147,7 +129,7 @@ std::string paretoJson(const ParetoSettings& settings, const std::vector<ParetoR
                      {"frames", settings.patience.frames}}},
                    {"summary", std::move(summary)},
                    {"results", std::move(results)}};
-    return all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    return fileText(all);
 }
 
 std::string writeParetoFiles(const ParetoSettings& settings, const std::vector<ParetoRow>& rows) {

@@ -11,7 +11,7 @@ namespace aolib::bench {
 namespace {
 
 constexpr double kLineStep = 3.0;      ///< pixels between the points that stand for a line
-constexpr double kLineCost = 8.0;      ///< square pixels that each of them counts as
+constexpr double kLineCost = 25.0;     ///< square pixels that each of them counts as
 constexpr double kOutsideCost = 100.0; ///< square pixels for each one outside
 constexpr double kGap = 3.0;           ///< pixels between marker and label
 

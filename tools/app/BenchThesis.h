@@ -1,0 +1,12 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "app/Outcome.h"
+
+namespace aolib::app {
+
+/// Adds "thesis" to the command "bench": the figures of the thesis, measured here.
+void addBenchThesis(CLI::App& bench, MaybeFailure& failure);
+
+} // namespace aolib::app

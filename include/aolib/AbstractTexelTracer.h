@@ -13,8 +13,8 @@
 namespace aolib {
 
 /// A rectangle of texels of one cube map's face that is to be traced. Lengths in world units.
-/// Cheapest are multiples of 4 by 4 texels and of 64 rays, `firstRay` included: rays of alike
-/// texels that point alike are traced together.
+/// Cheapest are multiples of 4 by 4 texels, and 64 or 256 rays that start at a multiple of
+/// their number: rays of alike texels that point alike are traced together.
 struct TexelRequest {
     std::uint64_t key = 0;           ///< the caller's own; comes back with the result
     glm::vec3 centre{0.0F};          ///< of the cube map

@@ -14,7 +14,7 @@ namespace aolib {
 /// A stretch of one texel's sequence of rays: directions about +z with the density
 /// `cos(theta) / pi` per solid angle. Single precision and free of branches, for vector units.
 struct RayChunk {
-    static constexpr int capacity = 64; ///< rays, a power of two
+    static constexpr int capacity = 256; ///< rays, a power of two
 
     alignas(64) std::array<float, capacity> x;
     alignas(64) std::array<float, capacity> y;
@@ -30,7 +30,9 @@ struct RayChunk {
 
 namespace ray_chunk {
 
-/// `sobolSecond()` of 0 to 63; the rest of an index is added by linearity.
+static_assert(RayChunk::capacity == 1 << 8, "as mortonCell() numbers cells");
+
+/// `sobolSecond()` of a chunk's own indices; the rest of an index is added by linearity.
 inline constexpr auto sobolTable = [] {
     std::array<std::uint32_t, RayChunk::capacity> table{};
     for (std::uint32_t i = 0; i < table.size(); ++i) {
@@ -39,11 +41,11 @@ inline constexpr auto sobolTable = [] {
     return table;
 }();
 
-/// The three coarsest bits of two bit-reversed coordinates interleaved, coarsest first: the cell of
-/// a square of 8 x 8 on Morton's curve.
+/// The four coarsest bits of two bit-reversed coordinates interleaved, coarsest first: the cell of
+/// a square of 16 x 16 on Morton's curve.
 constexpr std::uint32_t mortonCell(std::uint32_t first, std::uint32_t second) {
     const auto spread = [](std::uint32_t v) {
-        return ((v & 1U) << 4U) | ((v & 2U) << 1U) | ((v & 4U) >> 2U);
+        return ((v & 1U) << 6U) | ((v & 2U) << 3U) | (v & 4U) | ((v & 8U) >> 3U);
     };
     return (spread(first) << 1U) | spread(second);
 }
@@ -65,7 +67,7 @@ inline void RayChunk::fill(SequenceSeed seed, std::uint32_t start, int count) {
     const std::uint32_t* const table = ray_chunk::sobolTable.data();
     const std::uint32_t second = sobolSecond(start);
     const auto size = static_cast<std::uint32_t>(count);
-    const auto drop = static_cast<std::uint32_t>(std::countl_zero(size) - 25);
+    const auto drop = static_cast<std::uint32_t>(8 - std::countr_zero(size));
     for (std::uint32_t i = 0; i < size; ++i) {
         const std::uint32_t a = scrambled(start + i, seed.first);
         const std::uint32_t b = scrambled(second ^ table[i], seed.second);

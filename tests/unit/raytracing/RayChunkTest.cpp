@@ -33,8 +33,7 @@ TEST(RayChunk, EveryRayHasACellOfItsOwn) {
     }
 }
 
-/// The cells of two texels are the same parts of the hemisphere: 64 cells are at most a third of a
-/// unit wide.
+/// The cells of two texels are the same parts of the hemisphere.
 TEST(RayChunk, RaysOfEqualCellsPointAlike) {
     RayChunk one;
     RayChunk other;
@@ -86,8 +85,8 @@ TEST(RayChunk, ErrorFallsFasterThanThatOfRandomRays) {
             int beyond = 0;
             for (int start = 0; start < rays; start += 64) {
                 chunk.fill(sequenceSeed(0, texel, 0), static_cast<std::uint32_t>(start), 64);
-                for (const float x : chunk.x) {
-                    beyond += double{x} > side ? 1 : 0;
+                for (std::size_t i = 0; i < 64; ++i) {
+                    beyond += double{chunk.x[i]} > side ? 1 : 0;
                 }
             }
             const double error = double(beyond) / rays - p;

@@ -82,6 +82,12 @@ void GroupTracer::spread(const SurfaceGroup& group, std::uint32_t start, int cou
     const auto rays = static_cast<std::size_t>(count);
     const std::size_t texelStride = byCell ? 1 : rays;
     const std::size_t cellStride = byCell ? lanes : 1;
+    if (byCell && group.count < lanes) {
+        // Lanes that no texel fills are loaded, if not traced.
+        std::fill_n(x_.begin(), rays * lanes, 0.0F);
+        std::fill_n(y_.begin(), rays * lanes, 0.0F);
+        std::fill_n(z_.begin(), rays * lanes, 0.0F);
+    }
     for (std::size_t texel = 0; texel < group.count; ++texel) {
         const TexelSurface& surface = group.surfaces[texel];
         const glm::mat3 b = surface.basis;

@@ -23,7 +23,7 @@ struct TexelRequest {
     int x = 0;                       ///< leftmost column of texels
     int y = 0;                       ///< lowest row of texels
     int width = 0;                   ///< texels, at least 1
-    int height = 0;                  ///< texels, at least 1
+    int height = 0;                  ///< texels, at least 1; `width * height` at most 2^24
     int firstRay = 0;                ///< rays of each texel's sequence that were traced before
     int rays = 0;                    ///< rays per texel to trace now, at least 1
     float radius = 0.0F;             ///< above 0; `Falloff::None` ignores it

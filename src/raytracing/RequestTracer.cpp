@@ -16,6 +16,7 @@ namespace {
 
 constexpr int largestFace = 65536;
 constexpr int longestSequence = 1 << 30;
+constexpr int mostTexels = 1 << 24;
 /// Texels are visited in blocks of this edge, a packet's worth: what they see is close together.
 constexpr int blockEdge = 4;
 static_assert(std::size_t{blockEdge * blockEdge} == SurfaceFinder::packet);
@@ -150,6 +151,10 @@ Status checkRequest(const TexelRequest& request) {
                        " texels at (" + std::to_string(request.x) + ", " +
                        std::to_string(request.y) + ") of a face of " +
                        std::to_string(request.faceSize));
+    }
+    if (request.height > mostTexels / request.width) {
+        return invalid(std::to_string(request.width) + " x " + std::to_string(request.height) +
+                       " of them are more than 2^24");
     }
     if (!within(request.firstRay, request.rays, longestSequence)) {
         return invalid(std::to_string(request.rays) + " rays from " +

@@ -301,6 +301,9 @@ TEST(RequestTracer, StopsWithinFourThousandRays) {
         EXPECT_FALSE(traceRequest(scene, request, [&] { return ++asked < most; }));
         EXPECT_EQ(asked, most);
     }
+    asked = 0;
+    EXPECT_FALSE(traceRequest(sceneOf({}), request, [&] { return ++asked < 5; }))
+        << "where nothing is seen as well";
 }
 
 TEST(RequestTracer, RequestsOutOfRangeAreRefused) {
@@ -324,6 +327,8 @@ TEST(RequestTracer, RequestsOutOfRangeAreRefused) {
     EXPECT_EQ(refused([](auto& r) { r.width = 0; }), invalid);
     EXPECT_EQ(refused([=](auto& r) { r.x = 1, r.width = huge; }), invalid);
     EXPECT_EQ(refused([](auto& r) { r.height = 9; }), invalid);
+    EXPECT_EQ(refused([](auto& r) { r.faceSize = r.width = r.height = 4097; }), invalid);
+    EXPECT_EQ(refused([](auto& r) { r.faceSize = r.width = r.height = 4096; }), StatusCode::Ok);
     EXPECT_EQ(refused([](auto& r) { r.rays = 0; }), invalid);
     EXPECT_EQ(refused([](auto& r) { r.firstRay = -16; }), invalid);
     EXPECT_EQ(refused([=](auto& r) { r.firstRay = 1, r.rays = huge; }), invalid);

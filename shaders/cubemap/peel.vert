@@ -2,22 +2,41 @@
 // Geometry on its way to one face of a cube map, for peeling solid intervals.
 layout(location = 0) in vec3 aPosition;
 layout(location = 1) in vec3 aNormal;
-layout(location = 2) in float aSolid; // 0 for a sheet, else 1 + the number of the mesh's solid
+layout(location = 2) in float aSolid; // as Solids::solidOfVertex
 
-uniform mat4 uModelToCube;  // world axes, origin at the cube's centre
-uniform mat3 uNormalMatrix; // inverse transpose of the model matrix
-uniform mat3 uCubeToFace;   // rows right, up, forward
-uniform vec2 uDepthMap;     // clip z = x * depth + y
-uniform float uFirstSolid;  // solids of the meshes before this one
+uniform mat4 uModelToCube;    // world axes, origin at the cube's centre
+uniform mat3 uNormalMatrix;   // inverse transpose of the model matrix
+uniform mat3 uCubeToFace;     // rows right, up, forward
+uniform vec2 uDepthMap;       // clip z = x * depth + y
+uniform float uFirstSolid;    // numbers of the meshes before this one
+uniform float uUnusual[128];  // sheets that are no lids: their numbers, negative where only backs show
+uniform int uUnusualCount;
 
 out vec3 vPosition; // relative to the cube's centre
 out vec3 vNormal;
 flat out float vSolid; // unique in the scene; 0 for a sheet
+flat out float vSheet; // unique in the scene; 0 for a solid
+// Which side of a sheet has solid behind it: 1 the front, -1 the back, 0 neither.
+flat out float vLid;
+
+const float kSheets = 4194304.0; // as Solids::kSheets
+
+float lidOf(float sheet) {
+    for (int i = 0; i < uUnusualCount; ++i) {
+        if (abs(uUnusual[i]) == sheet) {
+            return uUnusual[i] < 0.0 ? -1.0 : 0.0;
+        }
+    }
+    return 1.0;
+}
 
 void main() {
     vPosition = (uModelToCube * vec4(aPosition, 1.0)).xyz;
     vNormal = uNormalMatrix * aNormal;
-    vSolid = aSolid > 0.0 ? uFirstSolid + aSolid : 0.0;
+    bool sheet = aSolid >= kSheets;
+    vSolid = sheet ? 0.0 : uFirstSolid + aSolid;
+    vSheet = sheet ? uFirstSolid + (aSolid - kSheets) : 0.0;
+    vLid = sheet ? lidOf(vSheet) : 0.0;
     vec3 face = uCubeToFace * vPosition;
     gl_Position = vec4(face.xy, uDepthMap.x * face.z + uDepthMap.y, face.z);
 }

@@ -1,13 +1,14 @@
 #version 330 core
-// The next surface along each ray, behind the one peeled before: a sheet, or where a solid begins.
+// The next surface along each ray, behind the interval peeled before: a sheet, or where solid begins.
 #include "cubemap/peel.glsl"
 #include "cubemap/surface_normal.glsl"
 #include "shared/octahedral.h"
 
 uniform sampler2D uPrevious; // the layer before: distance, solid, normal
+uniform sampler2D uExit;     // and where it ended, as peel_exit.frag says
 uniform bool uFirstLayer;
 
-layout(location = 0) out vec4 outEntry; // distance, solid, octahedral normal
+layout(location = 0) out vec4 outEntry; // distance, solid or kSheetEntry or kLidEntry, normal
 
 void main() {
     // Before any discard: the normal needs its neighbours.
@@ -18,9 +19,14 @@ void main() {
     }
     if (!uFirstLayer) {
         float before = texelFetch(uPrevious, ivec2(gl_FragCoord.xy), 0).r;
-        if (before < 0.0 || distance <= before * (1.0 + kSameSurface)) {
+        if (before < 0.0) {
+            discard;
+        }
+        before = max(before, -texelFetch(uExit, ivec2(gl_FragCoord.xy), 0).r);
+        if (distance <= before * (1.0 + kSameSurface)) {
             discard;
         }
     }
-    outEntry = vec4(distance, vSolid, encodeNormal(normal));
+    float what = vSolid > 0.0 ? vSolid : opensLid() ? kLidEntry : kSheetEntry;
+    outEntry = vec4(distance, what, encodeNormal(normal));
 }

@@ -117,9 +117,11 @@ Solids findSolids(const Mesh& mesh) {
     for (std::size_t t = 0; t < welded.size(); t += 3) {
         const std::uint32_t root = components.find(welded[t]);
         if (!closed[root]) {
+            solids.sheets = true;
             continue;
         }
-        const auto [entry, isNew] = solidOfRoot.try_emplace(root, solids.count());
+        const auto [entry, isNew] =
+            solidOfRoot.try_emplace(root, static_cast<std::uint32_t>(solids.bounds.size()));
         if (isNew) {
             solids.bounds.emplace_back();
             volumes.push_back(0.0);
@@ -132,14 +134,15 @@ Solids findSolids(const Mesh& mesh) {
         }
         volumes[entry->second] += volume(corner[0], corner[1], corner[2]);
     }
-    solids.solidOfVertex.assign(mesh.positions.size(), 0U);
+    const std::uint32_t sheet = Solids::kSheets + solids.count();
+    solids.solidOfVertex.assign(mesh.positions.size(), sheet);
     for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
         const auto found = solidOfRoot.find(components.find(first[v]));
-        solids.solidOfVertex[v] = found == solidOfRoot.end() ? 0U : found->second + 1;
+        solids.solidOfVertex[v] = found == solidOfRoot.end() ? sheet : found->second + 1;
     }
     for (std::size_t t = 0; t < solids.indices.size(); t += 3) {
         const std::uint32_t solid = solids.solidOfVertex[solids.indices[t]];
-        if (solid != 0 && volumes[solid - 1] < 0.0) {
+        if (solid < Solids::kSheets && volumes[solid - 1] < 0.0) {
             std::swap(solids.indices[t + 1], solids.indices[t + 2]);
         }
     }
@@ -148,10 +151,10 @@ Solids findSolids(const Mesh& mesh) {
 
 std::vector<std::uint32_t> solidsAround(const Mesh& mesh, const Solids& solids,
                                         const glm::vec3& point) {
-    std::vector<bool> inside(solids.count(), false);
+    std::vector<bool> inside(solids.bounds.size(), false);
     bool any = false;
-    for (std::uint32_t s = 0; s < solids.count(); ++s) {
-        any = any || solids.bounds[s].contains(point);
+    for (const Bounds& bounds : solids.bounds) {
+        any = any || bounds.contains(point);
     }
     if (!any) {
         return {};
@@ -160,7 +163,7 @@ std::vector<std::uint32_t> solidsAround(const Mesh& mesh, const Solids& solids,
     const glm::dvec3 direction = glm::normalize(glm::dvec3(0.5773, 0.6181, 0.5336));
     for (std::size_t t = 0; t < solids.indices.size(); t += 3) {
         const std::uint32_t solid = solids.solidOfVertex[solids.indices[t]];
-        if (solid == 0 || !solids.bounds[solid - 1].contains(point)) {
+        if (solid >= Solids::kSheets || !solids.bounds[solid - 1].contains(point)) {
             continue;
         }
         const auto corner = [&](std::size_t k) {
@@ -180,7 +183,7 @@ std::vector<std::uint32_t> solidsAround(const Mesh& mesh, const Solids& solids,
         }
     }
     std::vector<std::uint32_t> around;
-    for (std::uint32_t s = 0; s < solids.count(); ++s) {
+    for (std::uint32_t s = 0; s < inside.size(); ++s) {
         if (inside[s]) {
             around.push_back(s);
         }

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <string>
+#include <map>
+#include <utility>
+#include <vector>
 
 #include "backbone/ShaderLibrary.h"
 #include "gl/Label.h"
@@ -18,7 +20,15 @@ using Depth = gl::RenderToTexture2D::Depth;
 /// Solids that may contain a cube's centre, as shaders/cubemap/peel.glsl has room for.
 constexpr std::size_t kMostAround = 16;
 
+/// Sheets that are no lids, as shaders/cubemap/peel.vert has room for.
+constexpr std::size_t kMostUnusual = 128;
+
+/// A sheet shows one side when the other fills at most this share of its texels: cracks let a back
+/// through here and there.
+constexpr double kShareOfCracks = 0.02;
+
 constexpr std::array<GLfloat, 4> kNothing{-1.0F, -1.0F, 0.0F, 0.0F};
+constexpr std::array<GLfloat, 4> kNoExit{0.0F, 0.0F, 0.0F, 0.0F};
 
 Result<gl::RenderToTexture2D> target(const gl::Functions& gl, int faceSize, Format format,
                                      Depth depth, const char* label) {
@@ -29,18 +39,38 @@ Result<gl::RenderToTexture2D> target(const gl::Functions& gl, int faceSize, Form
                                               .label = label});
 }
 
-void clear(const gl::Functions& gl, const gl::RenderToTexture2D& target, bool depth) {
+void clear(const gl::Functions& gl, const gl::RenderToTexture2D& target,
+           const std::array<GLfloat, 4>& value) {
     const GLfloat deepest = 1.0F;
     target.beginAll();
-    gl.ClearBufferfv(GL_COLOR, 0, kNothing.data());
-    if (depth) {
-        gl.ClearBufferfv(GL_DEPTH, 0, &deepest);
-    }
+    gl.ClearBufferfv(GL_COLOR, 0, value.data());
+    gl.ClearBufferfv(GL_DEPTH, 0, &deepest);
 }
 
-void setAround(gl::GLSLShader& shader, const std::vector<float>& around) {
-    shader.set("uInside", around);
-    shader.set("uInsideCount", static_cast<int>(around.size()));
+/// How many texels show a sheet's front and its back.
+struct Sides {
+    std::size_t front = 0;
+    std::size_t back = 0;
+};
+
+/// The sheets that are no lids, as uUnusual of shaders/cubemap/peel.vert, those seen most first.
+std::vector<float> unusualSheets(const std::map<int, Sides>& seen) {
+    std::vector<std::pair<std::size_t, float>> found;
+    for (const auto& [sheet, sides] : seen) {
+        const std::size_t texels = sides.front + sides.back;
+        const double cracks = kShareOfCracks * static_cast<double>(texels);
+        if (static_cast<double>(sides.back) > cracks) {
+            const bool onlyBacks = static_cast<double>(sides.front) <= cracks;
+            found.emplace_back(texels, static_cast<float>(onlyBacks ? -sheet : sheet));
+        }
+    }
+    std::sort(found.rbegin(), found.rend());
+    std::vector<float> sheets;
+    for (const auto& entry : found) {
+        sheets.push_back(entry.second);
+    }
+    sheets.resize(std::min(sheets.size(), kMostUnusual));
+    return sheets;
 }
 
 } // namespace
@@ -48,7 +78,15 @@ void setAround(gl::GLSLShader& shader, const std::vector<float>& around) {
 struct LayerPeeling::Targets {
     std::array<gl::RenderToTexture2D, 2> entries; ///< distance, solid, octahedral normal
     gl::RenderToTexture2D exits;
-    std::vector<float> around; ///< solids that contain the cube's centre
+    std::vector<float> around;  ///< solids that contain the cube's centre
+    std::vector<float> unusual; ///< as unusualSheets()
+
+    void setUniforms(gl::GLSLShader& shader) const {
+        shader.set("uInside", around);
+        shader.set("uInsideCount", static_cast<int>(around.size()));
+        shader.set("uUnusual", unusual);
+        shader.set("uUnusualCount", static_cast<int>(unusual.size()));
+    }
 };
 
 Result<LayerPeeling> LayerPeeling::create(const BackboneContext& context) {
@@ -64,6 +102,7 @@ Result<LayerPeeling> LayerPeeling::create(const BackboneContext& context) {
             shader = std::move(*built);
         }
     };
+    build(peeling.sides_, "cubemap/peel.vert", "cubemap/peel_sides.frag");
     build(peeling.count_, "cubemap/peel.vert", "cubemap/count_layers.frag");
     build(peeling.entry_, "cubemap/peel.vert", "cubemap/peel_entry.frag");
     build(peeling.exit_, "cubemap/peel.vert", "cubemap/peel_exit.frag");
@@ -74,9 +113,29 @@ Result<LayerPeeling> LayerPeeling::create(const BackboneContext& context) {
     return peeling;
 }
 
+void LayerPeeling::surveySides(const FaceCapture& faces, Targets& targets, int faceSize,
+                               std::array<bool, kFaces>& modelled, const gl::Functions& gl) {
+    clear(gl, targets.exits, kNothing);
+    sides_.bind();
+    faces.draw(sides_);
+    std::vector<float> texels(static_cast<std::size_t>(kFaces * faceSize * faceSize));
+    targets.exits.beginRead(0);
+    gl.ReadPixels(0, 0, kFaces * faceSize, faceSize, GL_RED, GL_FLOAT, texels.data());
+    std::map<int, Sides> seen;
+    for (std::size_t i = 0; i < texels.size(); ++i) {
+        const int side = static_cast<int>(texels[i]);
+        const std::size_t face = i / static_cast<std::size_t>(faceSize) % kFaces;
+        modelled[face] = modelled[face] || side >= 0;
+        if (side > 0) {
+            Sides& sides = seen[side / 2];
+            ++(side % 2 != 0 ? sides.front : sides.back);
+        }
+    }
+    targets.unusual = unusualSheets(seen);
+}
+
 Result<int> LayerPeeling::countLayers(const FaceCapture& faces, const Targets& targets,
-                                      int faceSize, int most, std::array<bool, kFaces>& modelled,
-                                      const gl::Functions& gl) {
+                                      int faceSize, int most, const gl::Functions& gl) {
     const auto counts = target(gl, faceSize, Format::R8, Depth::None, "aolib/peel/count");
     if (!counts) {
         return counts.status();
@@ -87,42 +146,39 @@ Result<int> LayerPeeling::countLayers(const FaceCapture& faces, const Targets& t
     gl.Enable(GL_BLEND);
     gl.BlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
     count_.bind();
-    setAround(count_, targets.around);
+    targets.setUniforms(count_);
     faces.draw(count_);
     gl.Disable(GL_BLEND);
     std::vector<std::uint8_t> texels(static_cast<std::size_t>(kFaces * faceSize * faceSize));
     counts->beginRead(0);
     gl.ReadPixels(0, 0, kFaces * faceSize, faceSize, GL_RED, GL_UNSIGNED_BYTE, texels.data());
-    int deepest = 0;
-    for (std::size_t i = 0; i < texels.size(); ++i) {
-        deepest = std::max(deepest, static_cast<int>(texels[i]));
-        const std::size_t face = i / static_cast<std::size_t>(faceSize) % kFaces;
-        modelled[face] = modelled[face] || texels[i] != 0;
-    }
+    const int deepest = *std::max_element(texels.begin(), texels.end());
     return std::clamp(deepest, 1, most);
 }
 
 void LayerPeeling::peelEntries(const FaceCapture& faces, const Targets& targets,
                                const gl::RenderToTexture2D* previous,
                                const gl::RenderToTexture2D& entry, const gl::Functions& gl) {
-    clear(gl, entry, true);
+    clear(gl, entry, kNothing);
     entry_.bind();
     if (previous != nullptr) {
         previous->bindTexture(0, 0);
+        targets.exits.bindTexture(0, 1);
     }
     entry_.set("uPrevious", 0);
+    entry_.set("uExit", 1);
     entry_.set("uFirstLayer", previous == nullptr ? 1 : 0);
-    setAround(entry_, targets.around);
+    targets.setUniforms(entry_);
     faces.draw(entry_);
 }
 
 void LayerPeeling::peelExits(const FaceCapture& faces, const Targets& targets,
                              const gl::RenderToTexture2D& entry, const gl::Functions& gl) {
-    clear(gl, targets.exits, true);
+    clear(gl, targets.exits, kNoExit);
     exit_.bind();
     entry.bindTexture(0, 0);
     exit_.set("uEntry", 0);
-    setAround(exit_, targets.around);
+    targets.setUniforms(exit_);
     faces.draw(exit_);
 }
 
@@ -159,7 +215,8 @@ Result<LayerPeeling::Layers> LayerPeeling::capture(const BackboneContext& contex
     const FaceCapture faces(context, geometry, projector, range);
     gl::RenderToTexture2D* entry = &targets.entries[0];
     gl::RenderToTexture2D* next = &targets.entries[1];
-    const auto count = countLayers(faces, targets, faceSize, most, layers.modelled, gl);
+    surveySides(faces, targets, faceSize, layers.modelled, gl);
+    const auto count = countLayers(faces, targets, faceSize, most, gl);
     if (!count) {
         return count.status();
     }
@@ -172,20 +229,18 @@ Result<LayerPeeling::Layers> LayerPeeling::capture(const BackboneContext& contex
         return intervals.status();
     }
     layers.intervals = std::move(*intervals);
-    peelEntries(faces, targets, nullptr, *entry, gl);
+    const gl::RenderToTexture2D* previous = nullptr;
     for (int layer = 0; layer < *count; ++layer) {
+        peelEntries(faces, targets, previous, *entry, gl);
         peelExits(faces, targets, *entry, gl);
-        // One more than is kept: it tells which surface is the last along its ray.
-        peelEntries(faces, targets, entry, *next, gl);
         layers.intervals.begin(layer);
         pack_.bind();
         entry->bindTexture(0, 0);
         targets.exits.bindTexture(0, 1);
-        next->bindTexture(0, 2);
         pack_.set("uEntry", 0);
         pack_.set("uExit", 1);
-        pack_.set("uNext", 2);
         context.generated.drawFullscreen();
+        previous = entry;
         std::swap(entry, next);
     }
     layers.bytes =

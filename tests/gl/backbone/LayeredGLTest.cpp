@@ -98,6 +98,58 @@ TEST_P(LayeredGLTest, WallsTurnedInsideOutChangeNothing) {
     EXPECT_EQ(capture(outward, o, {3, 3, 2}).visibility, capture(inward, o, {3, 3, 2}).visibility);
 }
 
+TEST_P(LayeredGLTest, AHouseWithoutABottomOccludesAsAClosedOneDoes) {
+    Model closed;
+    addQuad(closed, {-20, 0, -20}, {-20, 0, 20}, {20, 0, 20}, {20, 0, -20});
+    addBox(closed, {-1, 0.01F, -1}, {1, 2, 1});
+    Model open = closed;
+    // The two triangles of the box that face downwards go.
+    ModelMesh& box = open.meshes.back();
+    std::vector<std::uint32_t> kept;
+    for (std::size_t t = 0; t < box.indices.size(); t += 3) {
+        const auto height = [&](std::size_t k) { return box.positions[box.indices[t + k]].y; };
+        if (height(0) + height(1) + height(2) > 0.1F) {
+            kept.insert(kept.end(), &box.indices[t], &box.indices[t] + 3);
+        }
+    }
+    ASSERT_EQ(kept.size(), box.indices.size() - 6);
+    box.indices = kept;
+    const Options o = options(Falloff::Step, 2.0F);
+    const CubeMapImage a = capture(closed, o, {3, 3, 2});
+    const CubeMapImage b = capture(open, o, {3, 3, 2});
+    for (std::size_t i = 0; i < a.visibility.size(); ++i) {
+        // A sector of one slice: the roof's solid now ends at the floor.
+        ASSERT_NEAR(a.visibility[i], b.visibility[i], 2.5F / 255.0F) << "texel " << i;
+    }
+}
+
+TEST_P(LayeredGLTest, LeavesHaveNoThickness) {
+    // Two upright leaves before a far wall, their fronts or one back and one front towards the
+    // centre: once a back shows, the mesh is no hull, and neither leaf has anything behind it.
+    const auto scene = [](bool turned) {
+        Model model;
+        addQuad(model, {-20, 0, -20}, {-20, 0, 20}, {20, 0, 20}, {20, 0, -20});
+        addQuad(model, {-3, 0.5F, 0}, {-1, 0.5F, 0}, {-1, 4, 0}, {-3, 4, 0});
+        ModelMesh& leaves = model.meshes.back();
+        for (const std::uint32_t i : {0U, 1U, 2U, 3U}) {
+            leaves.positions.push_back(leaves.positions[i] + glm::vec3(4, 0, 0));
+        }
+        if (turned) {
+            leaves.indices.insert(leaves.indices.end(), {4, 6, 5, 4, 7, 6});
+        } else {
+            leaves.indices.insert(leaves.indices.end(), {4, 5, 6, 4, 6, 7});
+        }
+        return model;
+    };
+    const Options o = options(Falloff::Step, 3.0F);
+    const CubeMapImage hulls = capture(scene(false), o, {0, 2, 6});
+    const CubeMapImage leaves = capture(scene(true), o, {0, 2, 6});
+    // Seen between the leaves, on the floor behind them.
+    const glm::vec3 behind{0, 0, -1.5F};
+    EXPECT_GT(at(leaves, behind), at(hulls, behind) + 0.05F);
+    EXPECT_GT(at(leaves, behind), 0.85F);
+}
+
 TEST_P(LayeredGLTest, ResultsStayFiniteAndInRange) {
     for (const Falloff falloff : {Falloff::Step, Falloff::Exp, Falloff::None}) {
         Model model;

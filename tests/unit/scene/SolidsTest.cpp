@@ -34,6 +34,7 @@ TEST_F(SolidsTest, ABoxIsASolid) {
     addBox(positions, indices, {-1, -1, -1}, {1, 1, 1});
     const Solids solids = findSolids(mesh());
     EXPECT_EQ(solids.count(), 1U);
+    EXPECT_FALSE(solids.sheets);
     EXPECT_EQ(solids.solidOfVertex, std::vector<std::uint32_t>(8, 1U));
     EXPECT_EQ(solids.indices, indices) << "it faced outwards already";
     EXPECT_EQ(solids.bounds[0].max, glm::vec3(1, 1, 1));
@@ -52,8 +53,9 @@ TEST_F(SolidsTest, ABoxWithoutALidIsASheet) {
     addBox(positions, indices, {-1, -1, -1}, {1, 1, 1});
     indices.resize(indices.size() - 3);
     const Solids solids = findSolids(mesh());
-    EXPECT_EQ(solids.count(), 0U);
-    EXPECT_EQ(solids.solidOfVertex, std::vector<std::uint32_t>(8, 0U));
+    EXPECT_TRUE(solids.bounds.empty());
+    EXPECT_EQ(solids.count(), 1U) << "the number of its sheets";
+    EXPECT_EQ(solids.solidOfVertex, std::vector<std::uint32_t>(8, Solids::kSheets + 1U));
 }
 
 TEST_F(SolidsTest, SplitVerticesAreWelded) {
@@ -73,9 +75,10 @@ TEST_F(SolidsTest, ComponentsAreJudgedApart) {
     indices.resize(indices.size() - 3); // the second one is open
     addBox(positions, indices, {7, -1, -1}, {9, 1, 1});
     const Solids solids = findSolids(mesh());
-    EXPECT_EQ(solids.count(), 2U);
+    EXPECT_EQ(solids.bounds.size(), 2U);
+    EXPECT_EQ(solids.count(), 3U);
     EXPECT_EQ(solids.solidOfVertex[0], 1U);
-    EXPECT_EQ(solids.solidOfVertex[8], 0U);
+    EXPECT_EQ(solids.solidOfVertex[8], Solids::kSheets + 3U);
     EXPECT_EQ(solids.solidOfVertex[16], 2U);
 }
 

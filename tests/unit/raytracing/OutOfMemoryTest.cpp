@@ -40,7 +40,7 @@ public:
 namespace aolib {
 namespace {
 
-constexpr double longTime = 6e5; ///< milliseconds
+constexpr double longTime = 6e4; ///< milliseconds
 
 TexelRequest largeRequest() {
     TexelRequest request;

@@ -15,7 +15,7 @@
 namespace aolib {
 namespace {
 
-constexpr double longTime = 6e5;           ///< milliseconds
+constexpr double longTime = 6e4;           ///< milliseconds
 constexpr int endlessRays = (1 << 30) - 1; ///< hours of work
 
 std::unique_ptr<AbstractTexelTracer> tracerOf(int threads) {

@@ -65,6 +65,9 @@ Solids solidsOf(const TriangleMesh& mesh) {
     Mesh whole;
     whole.positions = mesh.positions;
     whole.indices = mesh.indices;
+    for (const glm::vec3& position : mesh.positions) {
+        whole.modelBounds.include(position);
+    }
     return findSolids(whole);
 }
 
@@ -113,9 +116,10 @@ void SurfaceElements::subdivide(const TriangleMesh& mesh, const Settings& settin
                 corners_.push_back(weld.add(position, normal, area));
             }
         }
+        const std::uint32_t solid = solids.solidOfVertex[mesh.indices[t * 3]];
+        elements_.resize(weld.vertices().size());
         for (std::size_t c = firstCorner_.back(); c < corners_.size(); ++c) {
-            elements_.resize(std::max<std::size_t>(elements_.size(), corners_[c] + 1));
-            elements_[corners_[c]].solid = solids.solidOfVertex[mesh.indices[t * 3]] != 0;
+            elements_[corners_[c]].solid = solid >= 1 && solid <= solids.count();
         }
     }
     for (std::size_t e = 0; e < elements_.size(); ++e) {

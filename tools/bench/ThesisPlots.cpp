@@ -107,7 +107,6 @@ std::string writeMemory(const ThesisRunSettings& settings, const std::vector<The
     Plot plot = plotOf(settings, ThesisFigure::FaceSize, "GPU memory of a cube map over face size");
     plot.subtitle = "as allocated: taken while it is built and given back, and kept";
     plot.y = {"megabytes", true};
-    plot.x.logarithmic = true;
     for (const auto& [scene, estimator] : kinds) {
         const auto has = [s = scene, e = estimator](const ThesisRow& row) {
             return row.setting.figure == ThesisFigure::FaceSize && row.scene == s &&

@@ -8,9 +8,10 @@ namespace aolib::bench {
 
 namespace {
 
-constexpr double kMargin = 0.06;   ///< of the range, at each end
-constexpr double kLeastSpan = 0.5; ///< decades
-constexpr double kWideSpan = 2.6;  ///< decades from which only powers of ten are named
+constexpr double kMargin = 0.06;    ///< of the range, at each end
+constexpr double kLeastSpan = 0.5;  ///< decades
+constexpr double kWideSpan = 2.6;   ///< decades from which only powers of ten are named
+constexpr double kNarrowSpan = 0.9; ///< decades up to which every digit is named
 constexpr int kLinearTicks = 6;
 
 std::string named(double value) {
@@ -68,6 +69,7 @@ std::vector<Tick> AxisScale::ticks() const {
         return ticks;
     }
     const bool wide = high_ - low_ > kWideSpan;
+    const bool narrow = high_ - low_ < kNarrowSpan;
     for (int decade = static_cast<int>(std::floor(low_)); decade <= high_; ++decade) {
         for (int digit = 1; digit <= 9; ++digit) {
             const double value = digit * std::pow(10.0, decade);
@@ -75,7 +77,7 @@ std::vector<Tick> AxisScale::ticks() const {
             if (at < low_ || at > high_) {
                 continue;
             }
-            const bool name = digit == 1 || (!wide && (digit == 2 || digit == 5));
+            const bool name = narrow || digit == 1 || (!wide && (digit == 2 || digit == 5));
             ticks.push_back({value, name ? named(value) : ""});
         }
     }

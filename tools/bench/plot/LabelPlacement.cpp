@@ -29,22 +29,11 @@ struct Candidate {
     glm::dvec2 side; ///< -1, 0 or 1: which way of the point the label lies
     double away;     ///< further out, in heights of the label
 };
-constexpr std::array<Candidate, 16> kCandidates{{{{1, -0.6}, 0},
-                                                 {{1, 0.6}, 0},
-                                                 {{1, 0}, 0},
-                                                 {{0, -1}, 0},
-                                                 {{0, 1}, 0},
-                                                 {{-1, -0.6}, 0},
-                                                 {{-1, 0.6}, 0},
-                                                 {{-1, 0}, 0},
-                                                 {{0.6, -1}, 0.1},
-                                                 {{0.6, 1}, 0.1},
-                                                 {{-0.6, -1}, 0.1},
-                                                 {{-0.6, 1}, 0.1},
-                                                 {{1, -1}, 0.7},
-                                                 {{1, 1}, 0.7},
-                                                 {{-1, -1}, 0.7},
-                                                 {{-1, 1}, 0.7}}};
+constexpr std::array<Candidate, 20> kCandidates{
+    {{{1, -0.6}, 0},    {{1, 0.6}, 0},    {{1, 0}, 0},    {{0, -1}, 0},     {{0, 1}, 0},
+     {{-1, -0.6}, 0},   {{-1, 0.6}, 0},   {{-1, 0}, 0},   {{0.6, -1}, 0.1}, {{0.6, 1}, 0.1},
+     {{-0.6, -1}, 0.1}, {{-0.6, 1}, 0.1}, {{1, -1}, 0.7}, {{1, 1}, 0.7},    {{-1, -1}, 0.7},
+     {{-1, 1}, 0.7},    {{0, -1}, 1.2},   {{0, 1}, 1.2},  {{0, -1}, 2.4},   {{0, 1}, 2.4}}};
 
 } // namespace
 
@@ -82,7 +71,7 @@ Box LabelPlacement::place(const glm::dvec2& point, double radius, const glm::dve
             least = total;
             best = box;
         }
-        rank += 1.0; // of equal places the earlier one
+        rank += 0.05; // of equal places the earlier one
     }
     blocked_.push_back(best);
     return best;

@@ -12,15 +12,14 @@
 #include "app/CommandLineText.h"
 #include "app/GlSession.h"
 #include "app/NumberFlags.h"
+#include "app/ParetoReport.h"
 #include "app/ParseValues.h"
 #include "app/Progress.h"
-#include "app/Table.h"
 #include "bench/CaseTable.h"
 #include "bench/MethodTable.h"
 #include "bench/ParetoFiles.h"
 #include "bench/ParetoPlots.h"
 #include "bench/ParetoRun.h"
-#include "bench/ParetoSummary.h"
 
 namespace aolib::app {
 
@@ -95,43 +94,6 @@ Outcome<std::vector<bench::Method>> chooseMethods(const ParetoFlags& flags) {
         }
     }
     return bench::chooseMethods(flags.methods);
-}
-
-void printLists() {
-    Table scenes({"scene", "kind"});
-    for (const bench::BenchScene& scene : bench::benchScenes()) {
-        const bool generated = scene.kind == bench::SceneKind::Generated;
-        scenes.add({scene.name, generated ? "generated" : "model"});
-    }
-    Table methods({"method", "run by default"});
-    std::vector<std::string> remarks{"family"};
-    for (const bench::Method& method : bench::benchMethods()) {
-        methods.add({method.name, method.standard ? "yes" : "no"});
-        remarks.emplace_back(bench::familyName(method.family));
-    }
-    std::cout << scenes.text() << '\n' << methods.text(remarks);
-}
-
-std::string spreadText(double median, double low, double high) {
-    return knownNumber(median, 1) + " (" + knownNumber(low, 1) + "-" + knownNumber(high, 1) + ")";
-}
-
-void printSummary(const std::vector<bench::ParetoRow>& rows) {
-    Table table({"method", "cases", "RMSE", "worst", "no foliage", "generated", "foliage",
-                 "first frame", "frame ms (quartiles)", "build ms"});
-    for (const bench::MethodSummary& s : bench::summarise(rows)) {
-        table.add({s.method.name,
-                   std::to_string(s.cases) +
-                       (s.failures > 0 ? " of " + std::to_string(s.cases + s.failures) : ""),
-                   knownNumber(s.rmse, 4), knownNumber(s.worst, 4), knownNumber(s.rmseSolid, 4),
-                   knownNumber(s.rmseGenerated, 4), knownNumber(s.rmseFoliage, 4),
-                   knownNumber(s.rmseFirst, 4), spreadText(s.frameMs, s.frameMsLow, s.frameMsHigh),
-                   knownNumber(s.buildMs, 0)});
-    }
-    std::cout << table.text()
-              << "RMSE of W against ray tracing, converged, its noise taken off: mean over cases.\n"
-                 "Frame: what the method adds to a frame once converged, median over cases. Build: "
-                 "until\nconverged, mean over cases.\n";
 }
 
 Outcome<bench::ParetoSettings> settingsOf(const ParetoFlags& flags) {
@@ -215,6 +177,9 @@ MaybeFailure run(const ParetoFlags& flags, const std::string& line) {
         return failure;
     }
     printSummary(*rows);
+    if (flags.patience.passes) {
+        printPasses(*rows);
+    }
     std::cout << "wrote " << (settings->out / "pareto.csv").string() << " and pareto.json\n";
     return std::nullopt;
 }
@@ -254,6 +219,8 @@ void attachSelection(CLI::App& command, ParetoFlags& flags) {
 
 void attachEffort(CLI::App& command, ParetoFlags& flags) {
     command.add_flag("--quick", flags.quick, "pictures of 320 x 180, truth with 128 rays");
+    command.add_flag("--passes", flags.patience.passes,
+                     "also time every pass of a frame and of a build (aolib's methods)");
     addWholeNumber(
         command, "--width", 1, kMostSide, [&flags](int n) { flags.width = n; }, "pixels")
         ->default_str("960");

@@ -42,9 +42,10 @@ struct Build {
 } // namespace
 
 struct FacadeRun::Impl {
-    Impl(const OpenedScene& opened, const PictureSize& pictureSize, AmbientOcclusion library,
-         HostedFrames host)
-        : scene(opened), size(pictureSize), ao(std::move(library)), frames(std::move(host)) {}
+    Impl(const OpenedScene& opened, const PictureSize& pictureSize,
+         std::unique_ptr<PassTimer> passTimer, AmbientOcclusion library, HostedFrames host)
+        : scene(opened), size(pictureSize), timer(std::move(passTimer)), ao(std::move(library)),
+          frames(std::move(host)) {}
 
     Status buildOnce(const FacadeMethod& method, const std::vector<glm::vec3>& positions,
                      const Truth& truth, const Patience& patience, Measurement& m, Gathered& all);
@@ -52,10 +53,13 @@ struct FacadeRun::Impl {
                     Build& build, Measurement& m);
     Status look(const Truth& truth, double spent, Build& build, Measurement& m);
     Status timeFrames(const Patience& patience, Gathered& all);
+    Status timePasses(const std::vector<glm::vec3>& positions, const Patience& patience,
+                      Measurement& m);
     void countMemory(Measurement& m) const;
 
     const OpenedScene& scene;
     const PictureSize size;
+    std::unique_ptr<PassTimer> timer; ///< outlives `ao`, which has its functions
     AmbientOcclusion ao;
     HostedFrames frames;
 };
@@ -69,7 +73,8 @@ Loaded<FacadeRun> FacadeRun::create(const gl::Functions& gl, const ProcAddressLo
     const auto failed = [&](const Status& status) {
         return LoadError{scene.entry.name + ": " + status.message()};
     };
-    Result<AmbientOcclusion> ao = AmbientOcclusion::create(loader);
+    auto timer = std::make_unique<PassTimer>();
+    Result<AmbientOcclusion> ao = AmbientOcclusion::create(timer->wrap(loader));
     if (!ao) {
         return failed(ao.status());
     }
@@ -81,7 +86,8 @@ Loaded<FacadeRun> FacadeRun::create(const gl::Functions& gl, const ProcAddressLo
     if (!frames) {
         return failed(frames.status());
     }
-    return FacadeRun(std::make_unique<Impl>(scene, size, std::move(*ao), std::move(*frames)));
+    return FacadeRun(
+        std::make_unique<Impl>(scene, size, std::move(timer), std::move(*ao), std::move(*frames)));
 }
 
 Measurement FacadeRun::measure(const FacadeMethod& method, const BenchCase& which,
@@ -98,6 +104,10 @@ Measurement FacadeRun::measure(const FacadeMethod& method, const BenchCase& whic
     for (int turn = 0; status && turn < patience.repeat; ++turn) {
         status = impl_->buildOnce(sized, positions, truth, patience, m, all);
     }
+    if (status) {
+        impl_->countMemory(m);
+        status = impl_->timePasses(positions, patience, m);
+    }
     if (!status) {
         m.failure = status.message();
         return m;
@@ -106,7 +116,6 @@ Measurement FacadeRun::measure(const FacadeMethod& method, const BenchCase& whic
     m.hostMs = spreadOf(std::move(all.hostMs));
     m.buildMs = spreadOf(std::move(all.buildMs));
     m.convergedMs = spreadOf(std::move(all.convergedMs));
-    impl_->countMemory(m);
     return m;
 }
 
@@ -202,6 +211,31 @@ Status FacadeRun::Impl::timeFrames(const Patience& patience, Gathered& all) {
         all.hostMs.push_back(frame->hostMs);
     }
     return {};
+}
+
+/// Frames and one more build with a timer that waits after every pass.
+Status FacadeRun::Impl::timePasses(const std::vector<glm::vec3>& positions,
+                                   const Patience& patience, Measurement& m) {
+    if (!patience.passes) {
+        return {};
+    }
+    std::vector<std::vector<PassTime>> lists;
+    for (int i = 0; i < patience.frames; ++i) {
+        const Result<FrameTimes> frame = frames.drawTimed(ao, *timer);
+        if (!frame) {
+            return frame.status();
+        }
+        lists.push_back(timer->stop());
+    }
+    m.framePasses = medianPasses(lists);
+    if (positions.empty()) {
+        return {};
+    }
+    ao.clear();
+    timer->start();
+    const Result<CubeMapId> id = ao.addCubeMap(positions.front());
+    m.buildPasses = timer->stop();
+    return id.status();
 }
 
 void FacadeRun::Impl::countMemory(Measurement& m) const {

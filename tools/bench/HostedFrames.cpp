@@ -34,7 +34,7 @@ void HostedFrames::setCamera(const NamedCamera& camera) {
     eye_ = camera.eye;
 }
 
-Result<FrameTimes> HostedFrames::draw(AmbientOcclusion& ao) {
+Result<FrameTimes> HostedFrames::draw(AmbientOcclusion& ao, PassTimer* timer) {
     if (Status status = ao.aoSetCamera(view_, projection_); !status) {
         return status;
     }
@@ -48,6 +48,9 @@ Result<FrameTimes> HostedFrames::draw(AmbientOcclusion& ao) {
     renderer_.draw(view_, projection_);
     finish();
     times.hostMs = millisecondsSince(begin);
+    if (timer != nullptr) {
+        timer->start();
+    }
     const Clock::time_point drawn = Clock::now();
     if (Status status = ao.aoDrawEnd(eye_.x, eye_.y, eye_.z); !status) {
         return status;

@@ -5,6 +5,7 @@
 #include <aolib/AmbientOcclusion.h>
 #include <glm/mat4x4.hpp>
 
+#include "bench/PassTimer.h"
 #include "bench/Receivers.h"
 #include "content/Model.h"
 #include "content/NamedCamera.h"
@@ -33,10 +34,16 @@ public:
 
     void setCamera(const NamedCamera& camera);
     /// Draws a frame with ambient occlusion. Errors: those of the library.
-    Result<FrameTimes> draw(AmbientOcclusion& ao);
+    Result<FrameTimes> draw(AmbientOcclusion& ao) { return draw(ao, nullptr); }
+    /// The same, with `timer` started just before aoDrawEnd().
+    Result<FrameTimes> drawTimed(AmbientOcclusion& ao, PassTimer& timer) {
+        return draw(ao, &timer);
+    }
     void finish() const { gl_->Finish(); }
 
 private:
+    Result<FrameTimes> draw(AmbientOcclusion& ao, PassTimer* timer);
+
     HostedFrames(const gl::Functions& gl, host::HostRenderer renderer,
                  host::HostFramebuffer target);
 

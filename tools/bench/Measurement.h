@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bench/ErrorFigures.h"
+#include "bench/PassTimer.h"
 #include "bench/Spread.h"
 
 namespace aolib::bench {
@@ -34,6 +35,9 @@ struct Measurement {
     double coverage = -1.0;       ///< share of pixels with geometry that are shaded
     std::vector<Progressed> path; ///< error over time; one entry where nothing is progressive
 
+    std::vector<PassTime> framePasses; ///< of a converged frame; empty unless asked for
+    std::vector<PassTime> buildPasses; ///< of one cube map's build; empty unless asked for
+
     std::size_t bytesKept = 0;    ///< GPU memory of all cube maps
     std::size_t bytesCapture = 0; ///< GPU memory that a build took and gave back, at its peak
     std::size_t bytesFrame = 0;   ///< GPU memory of the per-frame targets
@@ -43,6 +47,7 @@ struct Measurement {
 struct Patience {
     int repeat = 1;            ///< builds per method and case
     int frames = 7;            ///< timed per build, at least
+    bool passes = false;       ///< also time the passes of a frame and of a build
     double buildSeconds = 600; ///< a build that has not converged after that is taken as it is
 };
 

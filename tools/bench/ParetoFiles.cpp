@@ -30,6 +30,14 @@ Json toJson(const ErrorFigures& error) {
             {"not_numbers", error.notNumbers}};
 }
 
+Json toJson(const std::vector<PassTime>& passes) {
+    Json object = Json::object();
+    for (const PassTime& time : passes) {
+        object[time.pass] = time.ms;
+    }
+    return object;
+}
+
 Json toJson(const ParetoRow& row) {
     const Measurement& m = row.measured;
     Json path = Json::array();
@@ -58,6 +66,8 @@ Json toJson(const ParetoRow& row) {
             {"bytes_capture", m.bytesCapture},
             {"bytes_frame", m.bytesFrame},
             {"truth_noise", row.truthNoise},
+            {"frame_passes_ms", toJson(m.framePasses)},
+            {"build_passes_ms", toJson(m.buildPasses)},
             {"ms_rmse", std::move(path)}};
 }
 

@@ -73,6 +73,7 @@ TEST_F(ParetoRunGL, MeasuresEveryKindOfMethod) {
         facade("screen", Backbone::ScreenSpace, Estimator::LayeredIntervals, 0),
         {"rays", "rays", Family::FewRays, FewRaysMethod{64}, true},
         {"surfels", "surfels", Family::SurfaceElements, SurfaceElementsMethod{2000}, true}};
+    settings_.patience.passes = true;
     const auto rows = run();
     ASSERT_TRUE(rows) << rows.sentence();
     ASSERT_EQ(rows->size(), 10U);
@@ -95,7 +96,10 @@ TEST_F(ParetoRunGL, MeasuresEveryKindOfMethod) {
     EXPECT_EQ(cube.bytesKept, 6U * 48U * 48U * 3U);
     EXPECT_EQ((*rows)[1].measured.bytesKept, 3U * 6U * 48U * 48U * 3U);
     EXPECT_GT(cube.bytesCapture, cube.bytesKept);
+    EXPECT_GE(cube.framePasses.size(), 4U);
+    EXPECT_GE(cube.buildPasses.size(), 2U);
     EXPECT_EQ((*rows)[2].measured.bytesKept, 0U);
+    EXPECT_TRUE((*rows)[2].measured.buildPasses.empty());
     // 64 rays of each pixel have a noise of about 0.14 / sqrt(64).
     EXPECT_LT((*rows)[3].measured.final.rmse, 0.04);
     EXPECT_EQ(writeParetoFiles(settings_, *rows), "");

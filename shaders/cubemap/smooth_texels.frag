@@ -1,6 +1,7 @@
 #version 330 core
-// Takes the sampling noise out of a cube map: each texel becomes the mean of those about it that lie
-// on its surface, over the borders of faces as well. Distances go through as they are.
+// Takes sampling noise out of a cube map: each texel becomes the mean of itself, which counts more, and
+// of those about it that lie on its surface, over the borders of faces as well. Distances go through
+// as they are.
 #include "cubemap/kept_texel.glsl"
 #include "cubemap/layered_view.glsl"
 
@@ -9,6 +10,9 @@ uniform int uFace;
 
 // Texels to each side.
 const int kReach = 1;
+// How much the texel itself counts beside each of the others: less leaves noise, more takes away what
+// is true within a texel's distance (docs/accuracy.md).
+const float kOwnWeight = 4.0;
 // Distance from the tangent plane, in texel footprints, and cosine between normals (25 degrees) that
 // still count as the same surface.
 const float kSameSurfaceFootprints = 0.5;
@@ -25,7 +29,7 @@ void main() {
     vec3 normal = decodeNormal(own.zw);
     float tolerance = kSameSurfaceFootprints * footprintAt(texel, position);
     float sum = 0.0;
-    float count = 0.0;
+    float weights = 0.0;
     for (int i = 0; i < (2 * kReach + 1) * (2 * kReach + 1); ++i) {
         ivec2 offset = ivec2(i % (2 * kReach + 1), i / (2 * kReach + 1)) - kReach;
         vec2 uv = (vec2(texel.at + offset) + 0.5) / float(uFaceSize);
@@ -36,9 +40,10 @@ void main() {
                     abs(dot(normal, rayOf(other) * interval.x - position)) <= tolerance &&
                     dot(normal, decodeNormal(interval.zw)) >= kSameSurfaceCosine;
         if (same || offset == ivec2(0)) {
-            sum += texelFetch(uRaw, other.at + ivec2(other.face * uFaceSize, 0), 0).r;
-            count += 1.0;
+            float weight = offset == ivec2(0) ? kOwnWeight : 1.0;
+            sum += weight * texelFetch(uRaw, other.at + ivec2(other.face * uFaceSize, 0), 0).r;
+            weights += weight;
         }
     }
-    keep(sum / count, own.x);
+    keep(sum / weights, own.x);
 }

@@ -20,13 +20,17 @@ uniform float uRadius;   // world units
 uniform int uFalloff;    // as enum class Falloff
 
 const float kPi = 3.14159265358979;
-// Steps grow as this power of their number: fine near the receiver, where a texel subtends most.
-const float kStepPower = 1.5;
+// Steps grow as this power of their number: fine near the receiver, where a texel subtends most. (The
+// power, and the lengths below, are those with the least error: docs/accuracy.md.)
+const float kStepPower = 2.0;
 // The receiver is lifted off its surface by this many texel footprints.
 const float kLift = 0.1;
-// A sample's surface is continued along its tangent plane by at most this many step widths
-// (docs/accuracy.md has the errors for others).
+// A sample's surface is continued along its tangent plane by at most this many step widths; a sheet,
+// which leaves no solid behind where it ends, by more.
 const float kExtension = 1.0;
+const float kSheetExtension = 4.0;
+// Cosine between ray and normal below which a surface's course between two rays is not known.
+const float kEdgeOn = 1.0e-6;
 // exp(-L / radius) is below 1% from here on, in radii.
 const float kExpReach = 4.6;
 const float kInfinite = 1.0e29;
@@ -42,8 +46,9 @@ struct Receiver {
 // A slice side: theta runs from v towards `tangent`.
 struct Side {
     vec3 tangent;
-    float sign;  // +1 or -1: how its theta enters the slice's
-    float gamma; // of the normal, on this side
+    float sign;    // +1 or -1: how its theta enters the slice's
+    float gamma;   // of the normal, on this side
+    uvec2 sectors; // of the mask
 };
 
 struct Slice {
@@ -60,70 +65,96 @@ float hash(uint x) {
     return float((word >> 22u) ^ word) / 4294967296.0;
 }
 
-// The part of the ray at beta that lies in the ball of influence; x > y when it misses.
-vec2 insideBall(Receiver p, float cosBeta, float sinBeta) {
+// The part of a ray that lies in the ball of influence; x > y when it misses. Directions in a plane
+// through the centre are (towards the centre as seen from the receiver, across): (-cos beta, sin beta).
+vec2 insideBall(Receiver p, vec2 direction) {
     if (uFalloff == 2) {
         return vec2(0.0, kInfinite);
     }
-    float across = p.distance * sinBeta;
+    float across = p.distance * direction.y;
     float half2 = p.reach * p.reach - across * across;
-    float middle = p.distance * cosBeta;
+    float middle = -p.distance * direction.x;
     return half2 > 0.0 ? vec2(max(middle - sqrt(half2), 0.0), middle + sqrt(half2))
                        : vec2(1.0, -1.0);
 }
 
-// Cosine of the angle, from v, at which the point at distance r of the ray at beta is seen from the
-// receiver: 1 towards the centre, -1 away from it.
-float cosineSeen(Receiver p, float cosBeta, float sinBeta, float r) {
-    vec2 q = r >= kInfinite ? vec2(-cosBeta, sinBeta)
-                            : vec2(p.distance - r * cosBeta, r * sinBeta);
+// Cosine of the angle, from v, at which the point at distance r of a ray is seen from the receiver: 1
+// towards the centre, -1 away from it.
+float cosineSeen(Receiver p, vec2 direction, float r) {
+    vec2 q = r >= kInfinite ? direction : vec2(r * direction.x + p.distance, r * direction.y);
     return q.x * inversesqrt(max(dot(q, q), 1.0e-37));
 }
 
-// Distance along the ray at `beta` of the sample's tangent plane, at most `cap` from the sample.
-float extended(float entry, float facing, float cosBeta, float sinBeta, float normalV,
-               float normalT, float cap) {
-    float facingThere = sinBeta * normalT - cosBeta * normalV;
-    float r = facingThere < 0.0 ? entry * facing / facingThere : kInfinite;
-    return clamp(r, max(entry - cap, 0.0), entry + cap);
+// A ray in a plane through the centre, and what of it lies within reach.
+struct Ray {
+    vec2 direction;
+    vec2 ball;
+};
+
+Ray rayAt(Receiver p, float beta) {
+    vec2 direction = vec2(-cos(beta), sin(beta));
+    return Ray(direction, insideBall(p, direction));
 }
 
 // A sample's ray and the two rays between which it stands for what is there.
 struct Wedge {
     vec3 ray;
     vec3 across; // unit, in the plane of v and the ray, across v
-    vec2 beta;   // cosine and sine of the ray's angle from -v
-    vec2 from;   // of the wedge's two sides
-    vec2 to;
-    vec2 ball; // what of each lies within reach
-    vec2 ballFrom;
-    vec2 ballTo;
+    Ray middle;
+    Ray from;
+    Ray to;
     float width; // radians
 };
 
+// An interval in the plane of its ray.
+struct Segment {
+    float entry;
+    float exit;
+    vec2 point;  // of entry
+    vec2 normal; // of the surface there, projected
+    vec2 along;  // unit, along the surface to where beta grows
+    float facing;
+    float cap; // how far the surface is continued, world units
+};
+
+// Takes in what the segment blocks on one side of the wedge: its surface, continued along its tangent
+// plane up to the side's ray, or up to the cap where that is nearer, and its exit.
+void continueTo(Receiver p, Segment s, Ray ray, float away, inout vec2 cosines) {
+    float facing = dot(s.normal, ray.direction);
+    float entry = s.entry * s.facing / facing;
+    bool met = facing < 0.0 && abs(entry - s.entry) <= s.cap;
+    entry = met ? entry : s.entry;
+    float exit = max(s.exit, entry);
+    if ((met || s.exit > s.entry) && entry <= ray.ball.y && exit >= ray.ball.x) {
+        cosines.x = min(cosines.x, cosineSeen(p, ray.direction, min(exit, ray.ball.y)));
+        cosines.y = met ? max(cosines.y, cosineSeen(p, ray.direction, max(entry, ray.ball.x)))
+                        : cosines.y;
+    }
+    vec2 end = s.point + away * s.cap * s.along + vec2(p.distance, 0.0);
+    float distance2 = dot(end, end);
+    if (!met && (uFalloff == 2 || distance2 <= p.reach * p.reach)) {
+        float cosine = end.x * inversesqrt(max(distance2, 1.0e-37));
+        cosines = vec2(min(cosines.x, cosine), max(cosines.y, cosine));
+    }
+}
+
 // Cosines of the largest and the smallest angle, in the wedge's plane, that an interval blocks.
 vec2 blockedCosines(Receiver p, Wedge w, vec4 interval) {
-    float entry = interval.x;
-    float exit = interval.y;
     vec3 normal = decodeNormal(interval.zw);
-    float facing = dot(normal, w.ray);
-    float normalV = dot(normal, p.toCentre);
-    float normalT = dot(normal, w.across);
-    float cap = kExtension * entry * w.width;
-    bool sheet = exit <= entry;
-    vec2 cosines = vec2(cosineSeen(p, w.beta.x, w.beta.y, min(exit, w.ball.y)),
-                        cosineSeen(p, w.beta.x, w.beta.y, max(entry, w.ball.x)));
-    float e = extended(entry, facing, w.from.x, w.from.y, normalV, normalT, cap);
-    float x = sheet ? e : max(exit, e);
-    if (e <= w.ballFrom.y && x >= w.ballFrom.x) {
-        cosines.x = min(cosines.x, cosineSeen(p, w.from.x, w.from.y, min(x, w.ballFrom.y)));
-        cosines.y = max(cosines.y, cosineSeen(p, w.from.x, w.from.y, max(e, w.ballFrom.x)));
-    }
-    e = extended(entry, facing, w.to.x, w.to.y, normalV, normalT, cap);
-    x = sheet ? e : max(exit, e);
-    if (e <= w.ballTo.y && x >= w.ballTo.x) {
-        cosines.x = min(cosines.x, cosineSeen(p, w.to.x, w.to.y, min(x, w.ballTo.y)));
-        cosines.y = max(cosines.y, cosineSeen(p, w.to.x, w.to.y, max(e, w.ballTo.x)));
+    Segment s;
+    s.entry = interval.x;
+    s.exit = interval.y;
+    s.point = s.entry * w.middle.direction;
+    s.normal = vec2(dot(normal, p.toCentre), dot(normal, w.across));
+    s.facing = dot(s.normal, w.middle.direction);
+    // The surface faces the ray: turned so, its normal's right is where beta grows.
+    s.along = vec2(-s.normal.y, s.normal.x) * inversesqrt(max(dot(s.normal, s.normal), 1.0e-37));
+    s.cap = (s.exit > s.entry ? kExtension : kSheetExtension) * s.entry * w.width;
+    vec2 cosines = vec2(cosineSeen(p, w.middle.direction, min(s.exit, w.middle.ball.y)),
+                        cosineSeen(p, w.middle.direction, max(s.entry, w.middle.ball.x)));
+    if (s.facing < -kEdgeOn) {
+        continueTo(p, s, w.from, -1.0, cosines);
+        continueTo(p, s, w.to, 1.0, cosines);
     }
     return cosines;
 }
@@ -138,44 +169,49 @@ float intervalWeight(Receiver p, vec4 interval, float cosBeta) {
     return exp(-sqrt(max(distance2, 0.0)) / uRadius);
 }
 
+// The sectors between two angles from v, on one side.
+uvec2 sectorsSeen(Slice slice, Side side, vec2 angles) {
+    angles *= side.sign;
+    angles = side.sign > 0.0 ? angles : angles.yx;
+    angles = clamp(angles, slice.gamma - 0.5 * kPi, slice.gamma + 0.5 * kPi);
+    float a = (sliceIntegral(angles.x, slice.gamma) - slice.low) / slice.span;
+    float b = (sliceIntegral(angles.y, slice.gamma) - slice.low) / slice.span;
+    return sectorsBetween(a, b);
+}
+
 // Blocks the sectors of all intervals of one texel. `blocked` gathers their weight.
-void blockTexel(Receiver p, Slice slice, Side side, Texel texel, float from, float to,
+void blockTexel(Receiver p, Slice slice, Side side, Texel texel, Ray from, Ray to, float width,
                 inout uvec2 mask, inout float blocked) {
     Wedge w;
     w.ray = rayOf(texel);
-    w.beta.x = -dot(w.ray, p.toCentre);
-    w.across = w.ray + w.beta.x * p.toCentre;
-    w.beta.y = length(w.across);
-    if (!(w.beta.y > 0.0)) {
+    vec2 middle;
+    middle.x = dot(w.ray, p.toCentre);
+    w.across = w.ray - middle.x * p.toCentre;
+    middle.y = length(w.across);
+    if (!(middle.y > 0.0)) {
         return;
     }
-    w.across /= w.beta.y;
-    w.ball = insideBall(p, w.beta.x, w.beta.y);
-    w.from = vec2(cos(from), sin(from));
-    w.to = vec2(cos(to), sin(to));
-    w.ballFrom = insideBall(p, w.from.x, w.from.y);
-    w.ballTo = insideBall(p, w.to.x, w.to.y);
-    w.width = to - from;
+    w.across /= middle.y;
+    w.middle = Ray(middle, insideBall(p, middle));
+    w.from = from;
+    w.to = to;
+    w.width = width;
     // The texel's own plane, its horizon aligned to the slice's: a flat neighbour then lies exactly on
     // the horizon and hides nothing.
     float shift = side.gamma - atan(dot(p.normal, w.across), dot(p.normal, p.toCentre));
     for (int layer = 0; layer < uLayers; ++layer) {
         vec4 interval = intervalAt(texel, layer);
-        if (interval.x < 0.0 || interval.x > w.ball.y) {
+        if (interval.x < 0.0 || interval.x > w.middle.ball.y) {
             break; // the layers come nearest first
         }
-        if (interval.y < w.ball.x) {
+        if (interval.y < w.middle.ball.x) {
             continue;
         }
         vec2 cosines = blockedCosines(p, w, interval);
-        vec2 angles = (acos(clamp(cosines.yx, -1.0, 1.0)) + shift) * side.sign;
-        angles = side.sign > 0.0 ? angles : angles.yx;
-        angles = clamp(angles, slice.gamma - 0.5 * kPi, slice.gamma + 0.5 * kPi);
-        float a = (sliceIntegral(angles.x, slice.gamma) - slice.low) / slice.span;
-        float b = (sliceIntegral(angles.y, slice.gamma) - slice.low) / slice.span;
-        uvec2 sectors = sectorsBetween(a, b) & ~mask;
+        vec2 angles = acos(clamp(cosines.yx, -1.0, 1.0)) + shift;
+        uvec2 sectors = sectorsSeen(slice, side, angles) & ~mask;
         mask |= sectors;
-        blocked += intervalWeight(p, interval, w.beta.x) * shareSet(sectors);
+        blocked += intervalWeight(p, interval, -middle.x) * shareSet(sectors);
     }
 }
 
@@ -185,23 +221,54 @@ float blockSide(Receiver p, Slice slice, Side side, float jitter, inout uvec2 ma
     float finest = texelAngle();
     float reach = uFalloff == 2 || p.distance <= p.reach ? kPi : asin(p.reach / p.distance);
     float from = 0.5 * finest;
+    Ray fromRay = rayAt(p, from);
     Texel before = p.texel;
-    for (int j = 0; j < uSteps && from < reach; ++j) {
+    // Until all is blocked, at the latest: what comes then hides nothing more.
+    for (int j = 0; j < uSteps && from < reach && (mask & side.sectors) != side.sectors; ++j) {
         float to = reach * pow(float(j + 1) / float(uSteps), kStepPower);
-        to = max(to, from + finest);
+        to = min(max(to, from + finest), kPi);
+        Ray toRay = rayAt(p, to);
         float beta = mix(from, to, jitter);
         Texel texel;
         bool known = texelTowards(sin(beta) * side.tangent - cos(beta) * p.toCentre, texel);
         if (known && texel != p.texel && texel != before) {
-            blockTexel(p, slice, side, texel, from, min(to, kPi), mask, blocked);
+            blockTexel(p, slice, side, texel, fromRay, toRay, to - from, mask, blocked);
             before = texel;
         }
         from = to;
+        fromRay = toRay;
     }
     return blocked;
 }
 
-float visibilityLayeredIntervals(Texel texel, vec3 position, vec3 normal) {
+// Weight that is blocked, and all weight, of the slice towards `tangent`.
+vec2 blockedInSlice(Receiver p, vec3 tangent, float jitter) {
+    vec3 across = cross(p.toCentre, tangent);
+    vec3 projected = p.normal - dot(p.normal, across) * across;
+    float weight = length(projected);
+    if (!(weight > 1.0e-5)) {
+        return vec2(0.0);
+    }
+    Slice slice;
+    slice.gamma = atan(dot(projected, tangent), dot(projected, p.toCentre));
+    slice.low = sliceIntegral(slice.gamma - 0.5 * kPi, slice.gamma);
+    slice.span = sliceIntegral(slice.gamma + 0.5 * kPi, slice.gamma) - slice.low;
+    float share = 0.0;
+    uvec2 mask = uvec2(0u);
+    float towardsCentre = -slice.low / slice.span; // F(0) = 0
+    for (int k = 0; k < 2; ++k) {
+        float sign = k == 0 ? 1.0 : -1.0;
+        uvec2 sectors = k == 0 ? sectorsBetween(towardsCentre, 1.0)
+                               : sectorsBetween(0.0, towardsCentre);
+        Side side = Side(sign * tangent, sign, sign * slice.gamma, sectors);
+        share += blockSide(p, slice, side, k == 0 ? jitter : 1.0 - jitter, mask);
+    }
+    return weight * slice.span * vec2(share, 1.0);
+}
+
+// Weight that is blocked, and all weight, of the slices from `first` to before `first + count`, of
+// uSlices in all. Sums over all of them divide to 1 - W.
+vec2 blockedLayeredIntervals(Texel texel, vec3 position, vec3 normal, int first, int count) {
     Receiver p;
     position += kLift * footprintAt(texel, position) * normal;
     p.distance = length(position);
@@ -214,31 +281,15 @@ float visibilityLayeredIntervals(Texel texel, vec3 position, vec3 normal) {
     vec3 right = normalize(cross(abs(p.toCentre.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0),
                                  p.toCentre));
     vec3 up = cross(p.toCentre, right);
-    float blocked = 0.0;
-    float weights = 0.0;
-    for (int i = 0; i < uSlices; ++i) {
+    vec2 sum = vec2(0.0);
+    for (int i = first; i < first + count; ++i) {
         float phi = kPi * (float(i) + turn) / float(uSlices);
-        vec3 tangent = cos(phi) * right + sin(phi) * up;
-        vec3 across = cross(p.toCentre, tangent);
-        vec3 projected = normal - dot(normal, across) * across;
-        float weight = length(projected);
-        if (!(weight > 1.0e-5)) {
-            continue;
-        }
-        Slice slice;
-        slice.gamma = atan(dot(projected, tangent), dot(projected, p.toCentre));
-        slice.low = sliceIntegral(slice.gamma - 0.5 * kPi, slice.gamma);
-        slice.span = sliceIntegral(slice.gamma + 0.5 * kPi, slice.gamma) - slice.low;
-        float jitter = hash(seed * 64u + uint(i));
-        uvec2 mask = uvec2(0u);
-        float share = 0.0;
-        for (int k = 0; k < 2; ++k) {
-            float sign = k == 0 ? 1.0 : -1.0;
-            Side side = Side(sign * tangent, sign, sign * slice.gamma);
-            share += blockSide(p, slice, side, k == 0 ? jitter : 1.0 - jitter, mask);
-        }
-        blocked += weight * slice.span * share;
-        weights += weight * slice.span;
+        sum += blockedInSlice(p, cos(phi) * right + sin(phi) * up, hash(seed * 64u + uint(i)));
     }
-    return weights > 0.0 ? 1.0 - blocked / weights : 1.0;
+    return sum;
+}
+
+float visibilityLayeredIntervals(Texel texel, vec3 position, vec3 normal) {
+    vec2 sum = blockedLayeredIntervals(texel, position, normal, 0, uSlices);
+    return sum.y > 0.0 ? 1.0 - sum.x / sum.y : 1.0;
 }

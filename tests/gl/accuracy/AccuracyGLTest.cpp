@@ -55,13 +55,13 @@ TEST_P(AccuracyGLTest, HorizonSplitIsAsGoodAsTheThesisAllows) {
 }
 
 TEST_P(AccuracyGLTest, LayeredIntervalsFollowTheTruth) {
-    // Measured with 8 x 16 samples and 128^2 faces: 0.058, 0.068, 0.065; the screen adds 0.030
+    // Measured with 8 x 16 samples and 128^2 faces: 0.052, 0.035, 0.054; the screen adds 0.040
     // where faces this coarse meet edges.
     for (const AccuracyCase& view : {AccuracyCase{"room", 0, 0.1F}, AccuracyCase{"town", 1, 0.1F},
                                      AccuracyCase{"town", 2, 0.1F}}) {
         const TexelsAndPixels found = measured(view, layeredIntervals());
-        EXPECT_LE(found.texels, 0.065);
-        EXPECT_LE(found.pixels, found.texels + 0.04);
+        EXPECT_LE(found.texels, 0.058);
+        EXPECT_LE(found.pixels, found.texels + 0.044);
     }
 }
 

@@ -1,34 +1,58 @@
 #include "bench/FewRaysRun.h"
 
-#include <cmath>
+#include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "bench/HostedFrames.h"
 #include "raytracing/CosineSampling.h"
+#include "raytracing/GroupTracer.h"
 #include "reference/ParallelLoop.h"
 
 namespace aolib::bench {
 
 namespace {
 
-/// So that no frame's random numbers are those of the truth.
-constexpr std::uint64_t kFirstSeed = 1000;
+/// Pixels along the edge of the blocks that are traced side by side.
+constexpr int kBlock = 4;
+static_assert(std::size_t{kBlock * kBlock} == SurfaceGroup::capacity);
+/// Groups that one worker traces without looking up.
+constexpr std::size_t kGroupsAtOnce = 64;
 
-/// W of one receiver by cosine-weighted rays, one in each of `across` x `across` cells.
-float traced(const RayScene& scene, const Receiver& receiver, double radius, int across,
-             RandomSequence random) {
-    const glm::dmat3 basis = basisAbout(receiver.normal);
-    const double cell = 1.0 / double(across);
-    int blocked = 0;
-    for (int row = 0; row < across; ++row) {
-        for (int column = 0; column < across; ++column) {
-            const double x = (double(column) + random.next()) * cell;
-            const double y = (double(row) + random.next()) * cell;
-            const glm::dvec3 direction = basis * cosineDirection({x, y});
-            blocked += scene.occluded(receiver.position, direction, 0.0, radius) ? 1 : 0;
-        }
+/// The surface points of a picture in blocks of pixels, `texel` being the pixel.
+std::vector<SurfaceGroup> groupsOf(const RayScene& scene, const Receivers& seen,
+                                   const PictureSize& size) {
+    const int columns = (size.width + kBlock - 1) / kBlock;
+    const int rows = (size.height + kBlock - 1) / kBlock;
+    std::vector<SurfaceGroup> groups(std::size_t(columns) * std::size_t(rows));
+    for (std::size_t i = 0; i < seen.points.size(); ++i) {
+        const int x = static_cast<int>(seen.pixels[i]) % size.width;
+        const int y = static_cast<int>(seen.pixels[i]) / size.width;
+        const auto block = static_cast<std::size_t>(y / kBlock * columns + x / kBlock);
+        groups[block].add({glm::vec3(scene.toFrame(seen.points[i].position)),
+                           glm::mat3(basisAbout(seen.points[i].normal)), sequenceSeed(0, x, y),
+                           seen.pixels[i]});
     }
-    return static_cast<float>(1.0 - double(blocked) * cell * cell);
+    std::erase_if(groups, [](const SurfaceGroup& group) { return group.count == 0; });
+    return groups;
+}
+
+/// Traces every pixel of the groups: rays from `start` on of each pixel's own sequence.
+void tracePicture(const RayScene& scene, float radius, const std::vector<SurfaceGroup>& groups,
+                  std::uint32_t start, int rays, std::vector<float>& picture) {
+    const std::size_t pieces = (groups.size() + kGroupsAtOnce - 1) / kGroupsAtOnce;
+    const auto body = [&](std::size_t begin, std::size_t end) {
+        GroupTracer tracer(scene, Falloff::Step, radius);
+        const std::size_t last = std::min(end * kGroupsAtOnce, groups.size());
+        for (std::size_t g = begin * kGroupsAtOnce; g < last; ++g) {
+            GroupTracer::Sums sums{};
+            tracer.trace(groups[g], start, rays, sums);
+            for (std::size_t i = 0; i < groups[g].count; ++i) {
+                picture[groups[g].surfaces[i].texel] = 1.0F - sums[i] / static_cast<float>(rays);
+            }
+        }
+    };
+    parallelLoop(pieces, 0, body, {});
 }
 
 } // namespace
@@ -38,20 +62,15 @@ Measurement measureFewRays(const FewRaysMethod& method, const OpenedScene& scene
                            const Patience& patience) {
     const Receivers seen =
         findReceivers(scene.rays, scene.cameras[which.camera], size, allPixels(size));
-    const int across = static_cast<int>(std::lround(std::sqrt(double(method.raysPerPixel))));
-    const double radius = which.radiusShare * scene.diagonal;
+    const std::vector<SurfaceGroup> groups = groupsOf(scene.rays, seen, size);
+    const auto radius = static_cast<float>(which.radiusShare * scene.diagonal);
+    const int rays = method.raysPerPixel;
     std::vector<float> picture(size.pixels(), -1.0F);
-    std::uint64_t seed = kFirstSeed;
+    std::uint32_t start = 0;
     const auto drawFrame = [&] {
         const Clock::time_point begin = Clock::now();
-        const auto body = [&](std::size_t from, std::size_t to) {
-            for (std::size_t i = from; i < to; ++i) {
-                picture[seen.pixels[i]] = traced(scene.rays, seen.points[i], radius, across,
-                                                 RandomSequence(seed, seen.pixels[i]));
-            }
-        };
-        parallelLoop(seen.pixels.size(), 0, body, {});
-        ++seed;
+        tracePicture(scene.rays, radius, groups, start, rays, picture);
+        start += static_cast<std::uint32_t>(rays); // other rays in every frame
         return millisecondsSince(begin);
     };
     Measurement m;

@@ -34,7 +34,7 @@ struct FacadeMethod {
 
 /// Traced on the CPU, every frame.
 struct FewRaysMethod {
-    int raysPerPixel = 1; ///< a square number: stratified by as many rows as columns
+    int raysPerPixel = 1; ///< a power of two, 1 to 256
 };
 
 /// Discs per vertex, computed once on the CPU.

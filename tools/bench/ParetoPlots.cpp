@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <system_error>
+#include <utility>
 
 #include "bench/FamilyStyle.h"
 #include "bench/ParetoSummary.h"
@@ -49,7 +50,23 @@ Plot plotOf(const ParetoSettings& settings, const std::string& title, const std:
     return plot;
 }
 
-/// One curve per family through its methods.
+/// Sorts a family's points and parts off those that another one beats in both error and time.
+std::vector<PlotPoint> takeBeaten(std::vector<PlotPoint>& points) {
+    std::stable_sort(points.begin(), points.end(), [](const PlotPoint& a, const PlotPoint& b) {
+        return a.x != b.x ? a.x < b.x : a.y < b.y;
+    });
+    std::vector<PlotPoint> best;
+    std::vector<PlotPoint> beaten;
+    for (const PlotPoint& point : points) {
+        const bool isBest = best.empty() || point.y < best.back().y;
+        (isBest ? best : beaten).push_back(point);
+    }
+    points = std::move(best);
+    return beaten;
+}
+
+/// One curve per family through its best methods; those that others of the family beat stand
+/// beside it.
 void addFamilies(Plot& plot, const std::vector<Place>& places, double Place::*x) {
     for (const Family family : families()) {
         const FamilyStyle style = styleOf(family);
@@ -65,8 +82,13 @@ void addFamilies(Plot& plot, const std::vector<Place>& places, double Place::*x)
                 curve.points.push_back({place.*x, place.rmse, place.method->label});
             }
         }
-        if (!curve.points.empty()) {
-            plot.curves.push_back(std::move(curve));
+        if (curve.points.empty()) {
+            continue;
+        }
+        Curve beside{"", style.colour, style.marker, takeBeaten(curve.points), 0.0, 0.0, true};
+        plot.curves.push_back(std::move(curve));
+        if (!beside.points.empty()) {
+            plot.curves.push_back(std::move(beside));
         }
     }
 }

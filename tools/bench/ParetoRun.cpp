@@ -14,6 +14,8 @@ namespace aolib::bench {
 
 namespace {
 
+constexpr double kMsPerSecond = 1000.0;
+
 std::string percent(double share) {
     return std::to_string(std::lround(100.0 * share));
 }
@@ -24,7 +26,7 @@ public:
     Pareto(const gl::Functions& gl, const ProcAddressLoader& loader, const ParetoSettings& settings,
            const ParetoReports& reports)
         : gl_(gl), loader_(loader), settings_(settings), reports_(reports),
-          left_(settings.cases.size(), settings.methods.size()) {}
+          left_(settings.cases.size(), settings.methods.size() + 1) {} // the last: truths
 
     Loaded<std::vector<ParetoRow>> run();
 
@@ -106,6 +108,7 @@ std::string Pareto::runScene(const std::vector<BenchCase>& cases) {
 std::string Pareto::runCase(const OpenedScene& scene, FacadeRun& facade, const BenchCase& which) {
     ParetoRow row{which, scene.cameras[which.camera].name, {}, 0.0, {}};
     announce(caseName(row) + ": truth");
+    const Clock::time_point tracing = Clock::now();
     const Loaded<Truth> truth = bench::traceTruth(scene, which, settings_.truth, settings_.cache);
     if (!truth) {
         return truth.sentence();
@@ -114,13 +117,14 @@ std::string Pareto::runCase(const OpenedScene& scene, FacadeRun& facade, const B
         leaveOut({which}, caseName(row) + ": the camera sees nothing");
         return "";
     }
+    left_.done(settings_.methods.size(), millisecondsSince(tracing) / kMsPerSecond);
     row.truthNoise = truth->noise;
     for (std::size_t i = 0; i < settings_.methods.size(); ++i) {
         row.method = settings_.methods[i];
         announce(caseName(row) + ": " + row.method.name);
         const Clock::time_point begin = Clock::now();
         row.measured = measure(scene, facade, row.method, which, *truth);
-        left_.done(i, millisecondsSince(begin) / 1000.0);
+        left_.done(i, millisecondsSince(begin) / kMsPerSecond);
         if (!row.measured.failure.empty()) {
             reports_.warn(caseName(row) + ", " + row.method.name + ": " + row.measured.failure);
         }

@@ -31,17 +31,20 @@ TEST(Lattice, FollowsItsSeed) {
     EXPECT_NE(latticePixels(kSize, 3, 1), latticePixels(kSize, 3, 2));
 }
 
-TEST(Receivers, LieOnTheSurfaceAndFaceTheEye) {
+TEST(Receivers, LieOnTheSurfaceAndFaceTheEyeOnEitherSide) {
     const Loaded<OpenedScene> scene = openBenchScene({"plane", SceneKind::Generated, false});
     ASSERT_TRUE(scene) << scene.sentence();
-    const NamedCamera& camera = scene->cameras.front();
-    const Receivers seen = findReceivers(scene->rays, camera, kSize, allPixels(kSize));
-    ASSERT_FALSE(seen.points.empty());
-    const Bounds bounds = scene->model.bounds();
-    for (const Receiver& point : seen.points) {
-        EXPECT_NEAR(point.position.y, double(bounds.max.y), 1e-4);
-        EXPECT_GT(glm::dot(point.normal, glm::dvec3(camera.eye) - point.position), 0.0);
-        EXPECT_NEAR(glm::length(point.normal), 1.0, 1e-9);
+    const float height = scene->model.bounds().max.y;
+    for (const float side : {1.0F, -1.0F}) {
+        NamedCamera camera = scene->cameras.front();
+        camera.eye.y = height + side * std::abs(camera.eye.y - height);
+        const Receivers seen = findReceivers(scene->rays, camera, kSize, allPixels(kSize));
+        ASSERT_FALSE(seen.points.empty());
+        for (const Receiver& point : seen.points) {
+            EXPECT_NEAR(point.position.y, double{height}, 1e-4);
+            EXPECT_GT(side * point.normal.y, 0.99);
+            EXPECT_GE(side * (point.position.y - double{height}), 0.0) << "not lifted";
+        }
     }
 }
 

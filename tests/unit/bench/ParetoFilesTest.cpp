@@ -52,7 +52,7 @@ TEST(ParetoSummary, AveragesOverGroupsOfCases) {
 }
 
 TEST(ParetoSummary, CountsFailuresAndLeavesThemOut) {
-    const MethodSummary& b = summarise(sampleRows())[1];
+    const MethodSummary b = summarise(sampleRows())[1];
     EXPECT_EQ(b.cases, 1U);
     EXPECT_EQ(b.failures, 1U);
     EXPECT_NEAR(b.rmse, 0.10, 1e-12);

@@ -118,6 +118,31 @@ TEST_P(LayeredGLTest, AHouseWithoutABottomOccludesAsAClosedOneDoes) {
     }
 }
 
+TEST_P(LayeredGLTest, AnOpenRoomIsClosedWhicheverWayItsWallsAreTurned) {
+    Model outward;
+    addBox(outward, {-2, -1, -3}, {2, 1.5F, 3});
+    std::vector<std::uint32_t>& indices = outward.meshes.back().indices;
+    indices.resize(indices.size() - 3); // no solid any more
+    Model inward = outward;
+    std::vector<std::uint32_t>& turned = inward.meshes.back().indices;
+    for (std::size_t t = 0; t < turned.size(); t += 3) {
+        std::swap(turned[t + 1], turned[t + 2]);
+    }
+    const Options o = options(Falloff::Step, 1.0F);
+    const glm::vec3 centre{0.4F, 0.1F, -0.3F};
+    const CubeMapImage backs = capture(outward, o, centre);
+    const CubeMapImage fronts = capture(inward, o, centre);
+    for (std::size_t i = 0; i < backs.visibility.size(); ++i) {
+        // Rounding: vertices come in another order.
+        ASSERT_NEAR(backs.visibility[i], fronts.visibility[i], 2.5F / 255.0F) << "texel " << i;
+    }
+    // Its corners are as dark as those of a closed room.
+    Model closed;
+    addBox(closed, {-2, -1, -3}, {2, 1.5F, 3});
+    const glm::vec3 corner{-1.9F, -0.9F, -2.9F};
+    EXPECT_NEAR(at(backs, corner), at(capture(closed, o, centre), corner), 0.01F);
+}
+
 TEST_P(LayeredGLTest, LeavesHaveNoThickness) {
     // Two upright leaves before a far wall, their fronts or one back and one front towards the
     // centre: once a back shows, the mesh is no hull, and neither leaf has anything behind it.

@@ -20,13 +20,10 @@ uniform float uRadius;   // world units
 uniform int uFalloff;    // as enum class Falloff
 
 const float kPi = 3.14159265358979;
-// Steps grow as this power of their number: fine near the receiver, where a texel subtends most. (The
-// power, and the lengths below, are those with the least error: docs/accuracy.md.)
-const float kStepPower = 2.0;
 // The receiver is lifted off its surface by this many texel footprints.
 const float kLift = 0.1;
 // A sample's surface is continued along its tangent plane by at most this many step widths; a sheet,
-// which leaves no solid behind where it ends, by more.
+// which leaves no solid behind where it ends, by more (docs/accuracy.md has the errors for others).
 const float kExtension = 1.0;
 const float kSheetExtension = 4.0;
 // Cosine between ray and normal below which a surface's course between two rays is not known.
@@ -225,12 +222,13 @@ float blockSide(Receiver p, Slice slice, Side side, float jitter, inout uvec2 ma
     Texel before = p.texel;
     // Until all is blocked, at the latest: what comes then hides nothing more.
     for (int j = 0; j < uSteps && from < reach && (mask & side.sectors) != side.sectors; ++j) {
-        float to = reach * pow(float(j + 1) / float(uSteps), kStepPower);
-        to = min(max(to, from + finest), kPi);
+        // Steps grow with their number: fine near the receiver, where a texel subtends most.
+        float share = float(j + 1) / float(uSteps);
+        float to = min(max(reach * share * share, from + finest), kPi);
         Ray toRay = rayAt(p, to);
-        float beta = mix(from, to, jitter);
+        vec2 between = mix(fromRay.direction, toRay.direction, jitter);
         Texel texel;
-        bool known = texelTowards(sin(beta) * side.tangent - cos(beta) * p.toCentre, texel);
+        bool known = texelTowards(between.y * side.tangent + between.x * p.toCentre, texel);
         if (known && texel != p.texel && texel != before) {
             blockTexel(p, slice, side, texel, fromRay, toRay, to - from, mask, blocked);
             before = texel;

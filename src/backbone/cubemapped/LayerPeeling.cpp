@@ -81,6 +81,7 @@ struct LayerPeeling::Targets {
     std::vector<float> around;  ///< solids that contain the cube's centre
     std::vector<float> unusual; ///< as unusualSheets()
 
+    static Result<Targets> create(const gl::Functions& gl, int faceSize);
     void setUniforms(gl::GLSLShader& shader) const {
         shader.set("uInside", around);
         shader.set("uInsideCount", static_cast<int>(around.size()));
@@ -88,6 +89,29 @@ struct LayerPeeling::Targets {
         shader.set("uUnusualCount", static_cast<int>(unusual.size()));
     }
 };
+
+Result<LayerPeeling::Targets> LayerPeeling::Targets::create(const gl::Functions& gl, int faceSize) {
+    Targets targets;
+    Status status;
+    const auto make = [&](gl::RenderToTexture2D& made, Format format, Depth depth,
+                          const char* label) {
+        if (!status) {
+            return;
+        }
+        auto created = target(gl, faceSize, format, depth, label);
+        status = created.status();
+        if (created) {
+            made = std::move(*created);
+        }
+    };
+    make(targets.entries[0], Format::RGBA32F, Depth::Depth32F, "aolib/peel/entry0");
+    make(targets.entries[1], Format::RGBA32F, Depth::Depth32F, "aolib/peel/entry1");
+    make(targets.exits, Format::R32F, Depth::Depth32F, "aolib/peel/exit");
+    if (!status) {
+        return status;
+    }
+    return targets;
+}
 
 Result<LayerPeeling> LayerPeeling::create(const BackboneContext& context) {
     LayerPeeling peeling;
@@ -189,25 +213,11 @@ Result<LayerPeeling::Layers> LayerPeeling::capture(const BackboneContext& contex
     const gl::DebugGroup group(context.gl, "aolib: peel layers");
     const gl::Functions& gl = context.gl;
     const int faceSize = projector.faceSize();
-    Targets targets;
-    Status status;
-    const auto make = [&](gl::RenderToTexture2D& made, Format format, Depth depth,
-                          const char* label) {
-        if (!status) {
-            return;
-        }
-        auto created = target(gl, faceSize, format, depth, label);
-        status = created.status();
-        if (created) {
-            made = std::move(*created);
-        }
-    };
-    make(targets.entries[0], Format::RGBA32F, Depth::Depth32F, "aolib/peel/entry0");
-    make(targets.entries[1], Format::RGBA32F, Depth::Depth32F, "aolib/peel/entry1");
-    make(targets.exits, Format::R32F, Depth::Depth32F, "aolib/peel/exit");
-    if (!status) {
-        return status;
+    auto made = Targets::create(gl, faceSize);
+    if (!made) {
+        return made.status();
     }
+    Targets& targets = *made;
     targets.around = geometry.solidsAround(context.scene, projector.position());
     targets.around.resize(std::min(targets.around.size(), kMostAround));
 

@@ -65,9 +65,10 @@ Method layeredScreen(int slices, int steps, bool blur) {
             FacadeMethod{options, 0}};
 }
 
-Method surfaceElements(int elements) {
+Method surfaceElements(int elements, bool standard = true) {
     const std::string count = std::to_string(elements / 1000) + "k";
-    return {"surfels-" + count, count, Family::SurfaceElements, SurfaceElementsMethod{elements}};
+    return {"surfels-" + count, count, Family::SurfaceElements, SurfaceElementsMethod{elements},
+            standard};
 }
 
 Method fewRays(int rays) {
@@ -133,7 +134,7 @@ const std::vector<Method>& benchMethods() {
         layeredScreen(8, 16, false),
         surfaceElements(20000),
         surfaceElements(80000),
-        surfaceElements(320000),
+        surfaceElements(320000, kOnRequest),
         fewRays(1),
         fewRays(4),
         fewRays(16),

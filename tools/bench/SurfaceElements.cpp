@@ -17,8 +17,9 @@ namespace aolib::bench {
 
 namespace {
 
+constexpr int kPasses = 2;
 /// Nodes are taken as one disc from so many times their extent away.
-constexpr float kFarAway = 2.5F;
+constexpr float kFarAway = 1.5F;
 /// Subdivision begins with edges of this share of the radius, and gets coarser until the elements
 /// are few enough.
 constexpr double kEdgeShare = 0.125;
@@ -83,9 +84,14 @@ std::size_t mainDirection(const glm::vec3& normal) {
 SurfaceElements::SurfaceElements(const TriangleMesh& mesh, const Settings& settings) {
     subdivide(mesh, settings);
     buildTrees();
-    for (int i = 0; i < settings.passes; ++i) {
+    for (int i = 0; i < kPasses; ++i) {
+        const std::vector<Element> before = elements_;
         gatherNodes();
         pass(static_cast<float>(settings.radius));
+        for (std::size_t e = 0; i > 0 && e < elements_.size(); ++e) {
+            elements_[e].front = 0.5F * (elements_[e].front + before[e].front);
+            elements_[e].back = 0.5F * (elements_[e].back + before[e].back);
+        }
     }
 }
 
@@ -236,14 +242,13 @@ float SurfaceElements::occlusion(const glm::vec3& position, const glm::vec3& nor
         if (distance - node.extent >= radius || glm::dot(to, normal) + node.extent <= 0.0F) {
             continue;
         }
-        const bool whole = node.left == 0 ||
-                           (distance > kFarAway * node.extent && distance + node.extent <= radius);
+        const bool whole = node.left == 0 || distance > kFarAway * node.extent;
         if (!whole) {
             stack[height++] = node.left;
             stack[height++] = node.right;
             continue;
         }
-        if (distance <= 0.0F) {
+        if (distance <= 0.0F || distance >= radius) {
             continue;
         }
         const glm::vec3 direction = to / distance;

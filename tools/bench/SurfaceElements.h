@@ -17,14 +17,13 @@ namespace aolib::bench {
 ///
 /// Made as good as the idea allows here: large triangles are subdivided, vertices at creases are
 /// split, both sides of a surface are computed, sheets shadow both ways, solids with their backs
-/// alone, and the hierarchy is one tree per main direction of normals, so that opposite discs do
-/// not cancel.
+/// alone, the hierarchy is one tree per main direction of normals, so that opposite discs do not
+/// cancel, and the result is the mean of both passes: the first is too dark, the second too bright.
 class SurfaceElements {
 public:
     struct Settings {
         double radius = 1.0;          ///< reach of occluders, world units; step falloff
         std::size_t elements = 20000; ///< triangles are subdivided up to about so many
-        int passes = 2;
     };
 
     /// Computes everything, on all cores.

@@ -26,7 +26,11 @@ inline constexpr std::array kBackboneChoices{
     OptionChoice<Backbone>{Backbone::ScreenSpace, "screenspace"}};
 inline constexpr std::array kEstimatorChoices{
     OptionChoice<Estimator>{Estimator::HorizonSplit, "horizon-split"},
-    OptionChoice<Estimator>{Estimator::LayeredIntervals, "layered-intervals"}};
+    OptionChoice<Estimator>{Estimator::LayeredIntervals, "layered-intervals"},
+    OptionChoice<Estimator>{Estimator::RayTraced, "ray-traced"}};
+inline constexpr std::array kProjectionMethodChoices{
+    OptionChoice<ProjectionMethod>{ProjectionMethod::SinglePass, "single-pass"},
+    OptionChoice<ProjectionMethod>{ProjectionMethod::PingPong, "ping-pong"}};
 inline constexpr std::array kFalloffChoices{OptionChoice<Falloff>{Falloff::Step, "step"},
                                             OptionChoice<Falloff>{Falloff::Exp, "exp"},
                                             OptionChoice<Falloff>{Falloff::None, "none"}};
@@ -68,12 +72,17 @@ void visitOptions(OptionsType& o, Visitor&& visit) {
           "layered-intervals: most solid intervals along a ray");
     visit("thickness", o.layeredIntervals.thickness, OptionRange{0.0, kMaxFloat},
           "layered-intervals in screen space: depth of what is seen, world units; 0 = radius / 4");
+    visit("texel-rays", o.rayTraced.rays, OptionRange{4, 65536}, "ray-traced: rays per texel");
+    visit("frame-budget", o.frameBudget, OptionRange{0.0, 1000.0},
+          "milliseconds per frame for computing cube maps; 0 = each at once");
     visit("face-size", o.cubeMaps.faceSize, OptionRange{16, 4096},
           "cube map: texels per face edge");
     visit("nearest", o.cubeMaps.nearest, OptionRange{1, 64}, "cube maps projected per frame");
     visit("place", o.cubeMaps.place, "place cube maps where coverage falls short");
     visit("coverage", o.cubeMaps.coverage, OptionRange{0.0, 1.0},
           "share of shaded pixels below which a cube map is placed");
+    visit("projection", o.cubeMaps.projection, kProjectionMethodChoices,
+          "how cube maps reach the picture");
     visit("outlines", o.cubeMaps.outlines, "draw a wire cube where each cube map stands");
     visit("blur", o.blur.enabled, "edge-aware blur");
     visit("blur-size", o.blur.size, OptionRange{1, 15}, "edge length of the blur, pixels, odd");

@@ -21,6 +21,13 @@ enum class Backbone : std::uint8_t {
 enum class Estimator : std::uint8_t {
     HorizonSplit,     ///< thesis 4.3.1: the highest horizon over a number of directions
     LayeredIntervals, ///< slices through the cube's centre over layers of solid intervals
+    RayTraced, ///< rays, on worker threads in the background; needs a texel tracer (setTexelTracer)
+};
+
+/// How cube maps reach the host's picture. Both give the same pixels.
+enum class ProjectionMethod : std::uint8_t {
+    SinglePass, ///< all cube maps in one pass, blended into the picture at once
+    PingPong,   ///< thesis 4.4: a pass per cube map, the best so far carried between two textures
 };
 
 /// What `aoDrawEnd()` shows in place of the host's picture. `None` is the normal composite.
@@ -54,12 +61,20 @@ struct LayeredIntervalsOptions {
     bool operator==(const LayeredIntervalsOptions&) const = default;
 };
 
+/// Settings of `Estimator::RayTraced`.
+struct RayTracedOptions {
+    int rays = 256; ///< per texel when converged, count, 4 to 65536
+
+    bool operator==(const RayTracedOptions&) const = default;
+};
+
 /// Settings of `Backbone::Cubemapped`.
 struct CubeMapOptions {
     int faceSize = 512;     ///< texels along a face's edge, 16 to 4096
     int nearest = 10;       ///< cube maps projected per frame, nearest to the camera, 1 to 64
     bool place = true;      ///< place new cube maps at the camera where coverage falls short
     float coverage = 0.75F; ///< share of shaded pixels below which one is placed, 0 to 1
+    ProjectionMethod projection = ProjectionMethod::SinglePass;
     bool outlines = false;  ///< draw a small wire cube where each cube map stands
 };
 
@@ -78,6 +93,9 @@ struct Options {
     float contrast = 1.0F; ///< alpha of thesis eq. 4.11, i = i_s ((1 - a) + a W); 0 to 1
     HorizonSplitOptions horizonSplit;
     LayeredIntervalsOptions layeredIntervals;
+    RayTracedOptions rayTraced;
+    /// Milliseconds that computing cube maps may take in a frame; 0 computes a cube map at once.
+    float frameBudget = 0.0F;
     CubeMapOptions cubeMaps;
     BlurOptions blur;
     DebugView debugView = DebugView::None;

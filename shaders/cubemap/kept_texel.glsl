@@ -1,17 +1,17 @@
-// What a cube map keeps of a texel: 8 bits of visibility, 16 bits of distance.
+// What a cube map keeps of a texel: 8 bits of visibility, 16 bits of depth along the face's axis.
 #include "shared/distance_code.h"
 
-uniform vec2 uDistanceCode; // nearest distance, log2(farthest / nearest)
+uniform vec2 uDepthCode; // nearest depth, log2(farthest / nearest)
 
 layout(location = 0) out float outVisibility;
-layout(location = 1) out float outDistance;
+layout(location = 1) out float outDepth;
 
 void keepNothing() {
     outVisibility = 1.0;
-    outDistance = 0.0;
+    outDepth = 0.0;
 }
 
-void keep(float visibility, float distance) {
+void keep(float visibility, float depth) {
     outVisibility = clamp(visibility, 0.0, 1.0);
-    outDistance = encodeDistance(distance, uDistanceCode.x, uDistanceCode.y);
+    outDepth = encodeDistance(depth, uDepthCode.x, uDepthCode.y);
 }

@@ -5,7 +5,7 @@ uniform vec3 uBoxMax;
 uniform mat3 uCubeToFace;
 uniform vec2 uDepthMap;
 
-out vec3 vPosition;
+out float vDepth; // along the face's axis
 
 const int kCorners[6] = int[6](0, 1, 2, 2, 1, 3);
 
@@ -15,7 +15,7 @@ void main() {
     int axis = side >> 1;
     vec3 unit = vec3(side & 1, corner & 1, corner >> 1);
     unit = axis == 0 ? unit.xyz : axis == 1 ? unit.zxy : unit.yzx;
-    vPosition = mix(uBoxMin, uBoxMax, unit);
-    vec3 face = uCubeToFace * vPosition;
+    vec3 face = uCubeToFace * mix(uBoxMin, uBoxMax, unit);
+    vDepth = face.z;
     gl_Position = vec4(face.xy, uDepthMap.x * face.z + uDepthMap.y, face.z);
 }

@@ -5,7 +5,7 @@
 #include "cubemap/kept_texel.glsl"
 #include "cubemap/layered_view.glsl"
 
-uniform sampler2D uRaw; // visibility, six faces side by side
+uniform sampler2D uAccumulated; // six faces side by side: blocked weight, weight
 uniform int uFace;
 
 // Texels to each side.
@@ -19,7 +19,7 @@ const float kSameSurfaceFootprints = 0.5;
 const float kSameSurfaceCosine = 0.906;
 
 void main() {
-    Texel texel = Texel(uFace, ivec2(gl_FragCoord.xy) - ivec2(uFace * uFaceSize, 0));
+    Texel texel = Texel(uFace, ivec2(gl_FragCoord.xy));
     vec4 own = intervalAt(texel, 0);
     if (own.x < 0.0) {
         keepNothing();
@@ -28,8 +28,7 @@ void main() {
     vec3 position = rayOf(texel) * own.x;
     vec3 normal = decodeNormal(own.zw);
     float tolerance = kSameSurfaceFootprints * footprintAt(texel, position);
-    float sum = 0.0;
-    float weights = 0.0;
+    vec2 found = vec2(0.0);
     for (int i = 0; i < (2 * kReach + 1) * (2 * kReach + 1); ++i) {
         ivec2 offset = ivec2(i % (2 * kReach + 1), i / (2 * kReach + 1)) - kReach;
         vec2 uv = (vec2(texel.at + offset) + 0.5) / float(uFaceSize);
@@ -41,9 +40,9 @@ void main() {
                     dot(normal, decodeNormal(interval.zw)) >= kSameSurfaceCosine;
         if (same || offset == ivec2(0)) {
             float weight = offset == ivec2(0) ? kOwnWeight : 1.0;
-            sum += weight * texelFetch(uRaw, other.at + ivec2(other.face * uFaceSize, 0), 0).r;
-            weights += weight;
+            found += weight *
+                     texelFetch(uAccumulated, other.at + ivec2(other.face * uFaceSize, 0), 0).rg;
         }
     }
-    keep(sum / weights, own.x);
+    keep(found.y > 0.0 ? 1.0 - found.x / found.y : 1.0, dot(position, faceForward(uFace)));
 }

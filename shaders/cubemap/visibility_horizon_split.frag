@@ -1,16 +1,15 @@
 #version 330 core
-// Ambient occlusion of one face's texels by horizon split, and their distances, as they are kept.
+// Ambient occlusion of one face's texels by horizon split.
 #include "cubemap/face_view.glsl"
-#include "cubemap/kept_texel.glsl"
 #include "estimators/horizon_split.glsl"
+
+layout(location = 0) out vec2 outFound; // blocked weight, weight
 
 void main() {
     vec3 position;
     vec3 normal;
     ivec2 texel = ivec2(gl_FragCoord.xy) - ivec2(uFace * uFaceSize, 0);
-    if (!surfaceAtTexel(texel, position, normal)) {
-        keepNothing();
-        return;
-    }
-    keep(visibilityHorizonSplit(position, normal), length(position));
+    outFound = surfaceAtTexel(texel, position, normal)
+                   ? vec2(1.0 - visibilityHorizonSplit(position, normal), 1.0)
+                   : vec2(0.0);
 }

@@ -15,6 +15,7 @@
 #include "shared/slice.h"
 
 uniform int uSlices;
+uniform int uSliceStride; // coprime to uSlices: the order in which they are taken
 uniform int uSteps;      // per side
 uniform float uRadius;   // world units
 uniform int uFalloff;    // as enum class Falloff
@@ -281,7 +282,7 @@ vec2 blockedLayeredIntervals(Texel texel, vec3 position, vec3 normal, int first,
     vec3 up = cross(p.toCentre, right);
     vec2 sum = vec2(0.0);
     for (int i = first; i < first + count; ++i) {
-        float phi = kPi * (float(i) + turn) / float(uSlices);
+        float phi = kPi * (float(i * uSliceStride % uSlices) + turn) / float(uSlices);
         sum += blockedInSlice(p, cos(phi) * right + sin(phi) * up, hash(seed * 64u + uint(i)));
     }
     return sum;

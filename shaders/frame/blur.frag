@@ -4,7 +4,7 @@
 #include "frame/geometry.glsl"
 #include "frame/surface_edge.glsl"
 
-uniform sampler2D uVisibility; // W, log2 of quality
+uniform sampler2D uVisibility; // weighted sum of W, log2 of quality, unused, weight
 uniform int uHalfSize;         // the filter spans 2 uHalfSize + 1 pixels
 
 // W or -1 for background; 1 shaded by a cube map, 0.5 filled from neighbours, 0 unshaded.
@@ -33,17 +33,17 @@ void main() {
                 continue;
             }
             float otherT = depthAt(other);
-            vec2 visibility = texelFetch(uVisibility, other, 0).rg;
+            vec4 visibility = texelFetch(uVisibility, other, 0);
             if (otherT < 0.0 || visibility.g < kUnshaded ||
                 !sameSurface(position, normal, tolerance, eyePositionAt(other, otherT),
                              worldNormalAt(other) * uEyeToWorld)) {
                 continue;
             }
-            sum += visibility.r;
+            sum += visibility.r / visibility.a;
             count += 1.0;
         }
     }
-    vec2 own = texelFetch(uVisibility, pixel, 0).rg;
+    vec4 own = texelFetch(uVisibility, pixel, 0);
     float shaded = own.g >= kUnshaded ? 1.0 : count > 0.0 ? 0.5 : 0.0;
-    outVisibility = vec2(count > 0.0 ? sum / count : own.r, shaded);
+    outVisibility = vec2(count > 0.0 ? sum / count : 1.0, shaded);
 }

@@ -4,7 +4,7 @@
 #include "frame/surface_edge.glsl"
 
 uniform sampler2D uVisibility; // blurred: W, shaded
-uniform sampler2D uProjected;  // value (W, or the face's code), log2 of quality
+uniform sampler2D uProjected;  // before the blur: sum of W, log2 of quality, face's code, weight
 uniform ivec2 uOrigin;
 uniform int uView;
 uniform float uRadius;
@@ -51,7 +51,7 @@ bool isEdge(ivec2 pixel, float t) {
 
 vec3 colourOf(ivec2 pixel, float t) {
     vec2 visibility = texelFetch(uVisibility, pixel, 0).rg;
-    vec2 projected = texelFetch(uProjected, pixel, 0).rg;
+    vec4 projected = texelFetch(uProjected, pixel, 0);
     bool shaded = visibility.g > 0.75;
     if (uView == kAmbientOcclusion) {
         return vec3(visibility.r);
@@ -62,7 +62,7 @@ vec3 colourOf(ivec2 pixel, float t) {
         return shaded ? falseColour(clamp(x, 0.0, 1.0)) : vec3(0.15);
     }
     if (uView == kFaces) {
-        return shaded ? faceColour(projected.r) * (fract(projected.r * 8.0 + 0.5) > 0.8 ? 0.2 : 1.0)
+        return shaded ? faceColour(projected.b) * (fract(projected.b * 8.0 + 0.5) > 0.8 ? 0.2 : 1.0)
                       : vec3(0.15);
     }
     if (uView == kCoverage) {

@@ -37,6 +37,14 @@ AO_FUNCTION vec2 faceCoordinates(int face, vec3 direction) {
     return vec2(dot(direction, faceRight(face)), dot(direction, faceUp(face))) / depth * 0.5f + 0.5f;
 }
 
+// A vector in a face's own axes: right, up, forward.
+AO_FUNCTION vec3 toFace(int face, vec3 v) {
+    float s = (face & 1) == 0 ? 1.0f : -1.0f;
+    return face < 2   ? vec3(s * v.z, v.y, s * v.x)
+           : face < 4 ? vec3(v.x, s * v.z, s * v.y)
+                      : vec3(-s * v.x, v.y, s * v.z);
+}
+
 // The direction through (u, v); its component along `forward` is 1, so it is not of unit length.
 AO_FUNCTION vec3 faceDirection(int face, vec2 uv) {
     return faceForward(face) + (2.0f * uv.x - 1.0f) * faceRight(face) +

@@ -10,10 +10,11 @@
 #endif
 #include "shared/dual.h"
 
-// log2 of Q for a point at `distance` whose ray has the cosine `cosBeta` to the face's axis and
-// `cosDelta` to the surface normal. In logarithms, so that half floats hold every scale.
-AO_FUNCTION float logQuality(float distance, float cosBeta, float cosDelta) {
-    return -2.0f * log2(distance) + 3.0f * log2(cosBeta) + log2(cosDelta);
+// log2 of Q for a point at p from the cube's centre, with `distance2` = |p|^2, `depth` that of p along
+// the face's axis and `facing` = -dot(normal, p). In logarithms, so that every scale holds.
+AO_FUNCTION float logQuality(float distance2, float depth, float facing) {
+    float inverse = 1.0f / distance2;
+    return log2(depth * depth * inverse * (depth * facing * inverse) * inverse);
 }
 
 AO_SHARED_END

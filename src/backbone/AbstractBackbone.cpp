@@ -48,7 +48,31 @@ Status AbstractBackbone::initialise() {
 
 Status AbstractBackbone::drawEnd(Frame& frame) {
     timer_.begin();
-    if (Status status = geometry_.update(context_, frame); !status) {
+    if (Status status = host_.acquire(context_.gl, frame); !status) {
+        return status;
+    }
+    latest_ = frame;
+    buffered_ = false;
+    if (Status status = prepare(frame); !status) {
+        return status;
+    }
+    if (context_.options.debugView == DebugView::None && shadesDirectly()) {
+        shadeDirectly(frame);
+    } else {
+        const auto projected = fillBuffers(frame);
+        if (!projected) {
+            return projected.status();
+        }
+        composite_.apply(context_, frame, {geometry_, visibility_, **projected, radius()});
+    }
+    const Status finished = finishFrame(frame);
+    timer_.end();
+    ++frame_;
+    return finished;
+}
+
+Result<const gl::RenderToTexture2D*> AbstractBackbone::fillBuffers(const Frame& frame) {
+    if (Status status = geometry_.update(context_, frame, host_); !status) {
         return status;
     }
     if (!visibility_ || visibility_.width() != frame.size.x ||
@@ -56,7 +80,7 @@ Status AbstractBackbone::drawEnd(Frame& frame) {
         auto created = gl::RenderToTexture2D::create(
             context_.gl, {.width = frame.size.x,
                           .height = frame.size.y,
-                          .targets = {gl::RenderToTexture2D::Format::RG16F},
+                          .targets = {gl::RenderToTexture2D::Format::RG32F},
                           .label = "aolib/frame/visibility"});
         if (!created) {
             return created.status();
@@ -64,16 +88,14 @@ Status AbstractBackbone::drawEnd(Frame& frame) {
         visibility_ = std::move(*created);
     }
     const auto projected = computeVisibility(frame);
-    if (!projected) {
-        return projected.status();
+    if (projected) {
+        const BlurOptions& blur = context_.options.blur;
+        visibility_.begin(0);
+        blur_.apply(context_, frame, geometry_, **projected,
+                    blur.enabled && noisy() ? blur.size : 1);
+        buffered_ = true;
     }
-    visibility_.begin(0);
-    blur_.apply(context_, frame, geometry_, **projected);
-    composite_.apply(context_, frame, {geometry_, visibility_, **projected, radius()});
-    const Status finished = finishFrame(frame);
-    timer_.end();
-    ++frame_;
-    return finished;
+    return projected;
 }
 
 Result<CubeMapId> AbstractBackbone::addCubeMap(const glm::vec3& /*position*/) {
@@ -90,9 +112,14 @@ Result<CubeMapImage> AbstractBackbone::readCubeMap(CubeMapId /*id*/) {
 }
 
 Result<VisibilityImage> AbstractBackbone::readVisibility() {
-    if (frame_ == 0 || !visibility_) {
+    if (!latest_) {
         return Status(StatusCode::InvalidCallOrder,
                       "there is no frame to read yet; end one with aoDrawEnd first");
+    }
+    if (!buffered_) {
+        if (const auto filled = fillBuffers(*latest_); !filled) {
+            return filled.status();
+        }
     }
     VisibilityImage image{visibility_.width(), visibility_.height(), {}};
     image.visibility.resize(static_cast<std::size_t>(image.width) *
@@ -107,7 +134,7 @@ Statistics AbstractBackbone::statistics() {
     Statistics statistics;
     statistics.frame = frame_;
     statistics.frameGpuMs = timer_.milliseconds();
-    statistics.bytesFrame = geometry_.bytes() + (visibility_ ? visibility_.bytes() : 0);
+    statistics.bytesFrame = host_.bytes() + geometry_.bytes() + (visibility_ ? visibility_.bytes() : 0);
     addStatistics(statistics);
     return statistics;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <aolib/Statistics.h>
@@ -44,10 +45,17 @@ protected:
     /// Builds what all strategies share. Errors: ShaderError, OutOfMemory.
     Status initialise();
 
-    /// Finds each pixel's value (W) and log2 of its quality; below kUnshaded nothing is known.
-    /// @return the target whose texture 0 holds them.
+    /// Before anything is drawn: what the frame needs is computed.
+    virtual Status prepare(const Frame& /*frame*/) { return {}; }
+    /// Whether shadeDirectly() can darken the picture in one pass; buffers are then not needed.
+    virtual bool shadesDirectly() const { return false; }
+    virtual void shadeDirectly(const Frame& /*frame*/) {}
+    /// Finds each pixel's value: texture 0 of the target holds its weighted sum, log2 of its quality
+    /// (below kUnshaded nothing is known), the code of a cube's face, and the weight.
     virtual Result<const gl::RenderToTexture2D*> computeVisibility(const Frame& frame) = 0;
-    /// After the composite: coverage, gizmos.
+    /// Whether its values are noisy, so that they must be blurred.
+    virtual bool noisy() const { return true; }
+    /// After the composite: survey, gizmos.
     virtual Status finishFrame(const Frame& /*frame*/) { return {}; }
     virtual void addStatistics(Statistics& /*statistics*/) {}
 
@@ -57,11 +65,17 @@ protected:
     float radius();
 
     const BackboneContext context_;
-    GeometryBuffer geometry_;
-    gl::RenderToTexture2D visibility_; ///< W (-1 background), shaded; size of the frame
-    static constexpr float kUnshaded = -5.0e4F;
+    HostFramebuffer host_;
+    GeometryBuffer geometry_; ///< of frames that are not shaded directly
 
 private:
+    /// Fills geometry_ and visibility_ for a frame.
+    /// @return what computeVisibility() gave.
+    Result<const gl::RenderToTexture2D*> fillBuffers(const Frame& frame);
+
+    gl::RenderToTexture2D visibility_; ///< W (-1 background), shaded; size of the frame
+    std::optional<Frame> latest_;      ///< its depth is still in host_
+    bool buffered_ = false;            ///< visibility_ belongs to the latest frame
     Blur blur_;
     Composite composite_;
     gl::GpuTimer timer_;

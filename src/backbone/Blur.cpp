@@ -16,14 +16,13 @@ Result<Blur> Blur::create(const BackboneContext& context) {
 }
 
 void Blur::apply(const BackboneContext& context, const Frame& frame, const GeometryBuffer& geometry,
-                 const gl::RenderToTexture2D& projected) {
+                 const gl::RenderToTexture2D& projected, int size) {
     const gl::DebugGroup group(context.gl, "aolib: blur");
-    const BlurOptions& options = context.options.blur;
     shader_.bind();
     geometry.bind(shader_, frame, 0, 1);
     projected.bindTexture(0, 2);
     shader_.set("uVisibility", 2);
-    shader_.set("uHalfSize", options.enabled ? options.size / 2 : 0);
+    shader_.set("uHalfSize", size / 2);
     context.generated.drawFullscreen();
 }
 

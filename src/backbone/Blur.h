@@ -12,9 +12,10 @@ public:
     /// Errors: ShaderError.
     static Result<Blur> create(const BackboneContext& context);
     /// Renders into the bound target: W (-1 background), and 1 shaded, 0.5 filled, 0 unshaded.
-    /// @param projected  target 0 of it holds the value and log2 of its quality.
+    /// @param projected  as AbstractBackbone::computeVisibility() gave it.
+    /// @param size       pixels along the filter's edge; 1 copies.
     void apply(const BackboneContext& context, const Frame& frame, const GeometryBuffer& geometry,
-               const gl::RenderToTexture2D& projected);
+               const gl::RenderToTexture2D& projected, int size);
 
 private:
     gl::GLSLShader shader_;

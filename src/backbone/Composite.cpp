@@ -22,6 +22,14 @@ void beginHostColours(const BackboneContext& context, const Frame& frame) {
     }
 }
 
+void blendIntoHost(const BackboneContext& context) {
+    const gl::Functions& gl = context.gl;
+    gl.Enable(GL_BLEND);
+    gl.BlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
+    context.generated.drawFullscreen();
+    gl.Disable(GL_BLEND);
+}
+
 void endHostColours(const BackboneContext& context) {
     const gl::Functions& gl = context.gl;
     gl.Disable(GL_SCISSOR_TEST);
@@ -56,16 +64,12 @@ void Composite::apply(const BackboneContext& context, const Frame& frame, const 
 }
 
 void Composite::blend(const BackboneContext& context, const Frame& frame, const Inputs& inputs) {
-    const gl::Functions& gl = context.gl;
     blend_.bind();
     inputs.visibility.bindTexture(0, 0);
     blend_.set("uVisibility", 0);
     blend_.set("uOrigin", frame.origin);
     blend_.set("uContrast", context.options.contrast);
-    gl.Enable(GL_BLEND);
-    gl.BlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
-    context.generated.drawFullscreen();
-    gl.Disable(GL_BLEND);
+    blendIntoHost(context);
 }
 
 void Composite::show(const BackboneContext& context, const Frame& frame, const Inputs& inputs) {

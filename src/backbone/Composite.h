@@ -30,6 +30,8 @@ private:
 
 /// Directs rendering to the host's colour buffer 0 and its viewport, everything else masked off.
 void beginHostColours(const BackboneContext& context, const Frame& frame);
+/// Multiplies the bound shader's output into the host's colours.
+void blendIntoHost(const BackboneContext& context);
 /// Undoes what beginHostColours() did to the clean slate.
 void endHostColours(const BackboneContext& context);
 

@@ -1,11 +1,24 @@
 #include "backbone/Estimators.h"
 
+#include <numeric>
+
 namespace aolib {
 
 namespace {
 
 /// Depth that screen space assumes of what it sees, as a share of the radius.
 constexpr float kThicknessShare = 0.25F;
+
+/// A step through n slices that visits all and spreads every few of them: coprime to n, near its
+/// golden section.
+int strideOf(int n) {
+    for (int step = static_cast<int>(0.618 * n); step > 1; --step) {
+        if (std::gcd(step, n) == 1) {
+            return step;
+        }
+    }
+    return 1;
+}
 
 } // namespace
 
@@ -15,6 +28,8 @@ EstimatorTraits traitsOf(Estimator estimator) {
         return {"horizon_split", false};
     case Estimator::LayeredIntervals:
         return {"layered_intervals", true};
+    case Estimator::RayTraced:
+        return {"", false};
     }
     return {};
 }
@@ -25,6 +40,7 @@ void setEstimatorUniforms(gl::GLSLShader& shader, const Options& options, float 
     if (options.estimator == Estimator::LayeredIntervals) {
         const LayeredIntervalsOptions& layered = options.layeredIntervals;
         shader.set("uSlices", layered.slices);
+        shader.set("uSliceStride", strideOf(layered.slices));
         shader.set("uSteps", layered.steps);
         shader.set("uThickness",
                    layered.thickness > 0.0F ? layered.thickness : kThicknessShare * radius);
@@ -40,6 +56,7 @@ void setEstimatorUniforms(gl::GLSLShader& shader, const Options& options, float 
 bool sameEstimate(const Options& a, const Options& b) {
     return a.estimator == b.estimator && a.falloff == b.falloff &&
            a.horizonSplit == b.horizonSplit && a.layeredIntervals == b.layeredIntervals &&
+           a.rayTraced == b.rayTraced &&
            a.cubeMaps.faceSize == b.cubeMaps.faceSize;
 }
 

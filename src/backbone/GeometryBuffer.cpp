@@ -15,12 +15,10 @@ Result<GeometryBuffer> GeometryBuffer::create(const BackboneContext& context) {
     return buffer;
 }
 
-Status GeometryBuffer::update(const BackboneContext& context, Frame& frame) {
+Status GeometryBuffer::update(const BackboneContext& context, const Frame& frame,
+                              const HostFramebuffer& host) {
     using Format = gl::RenderToTexture2D::Format;
     const gl::DebugGroup group(context.gl, "aolib: geometry buffer");
-    if (Status status = host_.acquire(context.gl, frame); !status) {
-        return status;
-    }
     if (!target_ || target_.width() != frame.size.x || target_.height() != frame.size.y) {
         auto created =
             gl::RenderToTexture2D::create(context.gl, {.width = frame.size.x,
@@ -33,7 +31,7 @@ Status GeometryBuffer::update(const BackboneContext& context, Frame& frame) {
         target_ = std::move(*created);
     }
     target_.beginAll();
-    host_.bindDepth(0);
+    host.bindDepth(0);
     shader_.bind();
     shader_.set("uDepth", 0);
     frame.camera.setUniforms(shader_, frame.size, frame.clip);

@@ -12,16 +12,13 @@ class GeometryBuffer {
 public:
     /// Errors: ShaderError, OutOfMemory.
     static Result<GeometryBuffer> create(const BackboneContext& context);
-    /// Reads the host's framebuffer. Errors: InvalidFramebuffer, OutOfMemory, MissingCapability.
-    Status update(const BackboneContext& context, Frame& frame);
+    /// Rebuilds it from the host's depth. Errors: OutOfMemory, MissingCapability.
+    Status update(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host);
     /// Binds both textures and sets the uniforms of shaders/frame/geometry.glsl.
     void bind(gl::GLSLShader& shader, const Frame& frame, int depthUnit, int normalUnit) const;
-    /// Binds the depth alone: for passes that ask only what is background.
-    void bindDepth(int unit) const { target_.bindTexture(0, unit); }
-    std::size_t bytes() const { return host_.bytes() + (target_ ? target_.bytes() : 0); }
+    std::size_t bytes() const { return target_ ? target_.bytes() : 0; }
 
 private:
-    HostFramebuffer host_;
     gl::GLSLShader shader_;
     gl::RenderToTexture2D target_;
 };

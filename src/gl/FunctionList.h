@@ -27,6 +27,7 @@
     X(PFNGLCOLORMASKIPROC, ColorMaski)                                                             \
     X(PFNGLCOMPILESHADERPROC, CompileShader)                                                       \
     X(PFNGLCOPYTEXSUBIMAGE2DPROC, CopyTexSubImage2D)                                               \
+    X(PFNGLCOPYTEXSUBIMAGE3DPROC, CopyTexSubImage3D)                                               \
     X(PFNGLCREATEPROGRAMPROC, CreateProgram)                                                       \
     X(PFNGLCREATESHADERPROC, CreateShader)                                                         \
     X(PFNGLCULLFACEPROC, CullFace)                                                                 \
@@ -102,6 +103,7 @@
     X(PFNGLTEXIMAGE2DPROC, TexImage2D)                                                             \
     X(PFNGLTEXIMAGE3DPROC, TexImage3D)                                                             \
     X(PFNGLTEXPARAMETERIPROC, TexParameteri)                                                       \
+    X(PFNGLTEXSUBIMAGE3DPROC, TexSubImage3D)                                                       \
     X(PFNGLUNIFORM1FPROC, Uniform1f)                                                               \
     X(PFNGLUNIFORM1FVPROC, Uniform1fv)                                                             \
     X(PFNGLUNIFORM1IPROC, Uniform1i)                                                               \
@@ -109,6 +111,8 @@
     X(PFNGLUNIFORM2IPROC, Uniform2i)                                                               \
     X(PFNGLUNIFORM3FPROC, Uniform3f)                                                               \
     X(PFNGLUNIFORM4FPROC, Uniform4f)                                                               \
+    X(PFNGLUNIFORM4FVPROC, Uniform4fv)                                                             \
+    X(PFNGLUNIFORM4IVPROC, Uniform4iv)                                                             \
     X(PFNGLUNIFORMMATRIX3FVPROC, UniformMatrix3fv)                                                 \
     X(PFNGLUNIFORMMATRIX4FVPROC, UniformMatrix4fv)                                                 \
     X(PFNGLUNMAPBUFFERPROC, UnmapBuffer)                                                           \

@@ -139,6 +139,14 @@ void GLSLShader::set(const char* name, const glm::vec4& value) {
 void GLSLShader::set(const char* name, std::span<const float> values) {
     gl_->Uniform1fv(location(name), static_cast<GLsizei>(values.size()), values.data());
 }
+void GLSLShader::set(const char* name, std::span<const glm::vec4> values) {
+    gl_->Uniform4fv(location(name), static_cast<GLsizei>(values.size()),
+                    glm::value_ptr(values.front()));
+}
+void GLSLShader::set(const char* name, std::span<const glm::ivec4> values) {
+    gl_->Uniform4iv(location(name), static_cast<GLsizei>(values.size()),
+                    glm::value_ptr(values.front()));
+}
 void GLSLShader::set(const char* name, const glm::mat3& value) {
     gl_->UniformMatrix3fv(location(name), 1, GL_FALSE, glm::value_ptr(value));
 }

@@ -46,6 +46,8 @@ public:
     void set(const char* name, const glm::vec3& value);
     void set(const char* name, const glm::vec4& value);
     void set(const char* name, std::span<const float> values);
+    void set(const char* name, std::span<const glm::vec4> values);
+    void set(const char* name, std::span<const glm::ivec4> values);
     void set(const char* name, const glm::mat3& value);
     void set(const char* name, const glm::mat4& value);
 

@@ -18,6 +18,8 @@ public:
     /// Starts a measurement unless the last one is still on its way.
     void begin();
     void end();
+    /// Whether a measurement that begin() started is still to come.
+    bool pending() const { return state_ == State::Pending; }
     /// The latest finished measurement, milliseconds; -1 before the first.
     double milliseconds();
 

@@ -61,6 +61,30 @@ void TextureStack::begin(int layer) const {
     gl_->Viewport(0, 0, settings_.width, settings_.height);
 }
 
+void TextureStack::attach(int location, int layer) const {
+    gl_->FramebufferTextureLayer(GL_FRAMEBUFFER,
+                                 GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(location),
+                                 texture_.name(), 0, layer);
+}
+
+void TextureStack::upload(int layer, const glm::ivec2& at, const glm::ivec2& size,
+                          const void* data) const {
+    const TexelFormat texel = texelFormat(settings_.format);
+    bind(0);
+    gl_->TexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, at.x, at.y, layer, size.x, size.y, 1, texel.format,
+                       texel.type, data);
+}
+
+void TextureStack::copyFrom(const TextureStack& other) const {
+    for (int layer = 0; layer < other.layers(); ++layer) {
+        other.begin(layer);
+        gl_->ReadBuffer(GL_COLOR_ATTACHMENT0);
+        bind(0);
+        gl_->CopyTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, layer, 0, 0, settings_.width,
+                               settings_.height);
+    }
+}
+
 void TextureStack::bind(int unit) const {
     gl_->ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
     gl_->BindTexture(GL_TEXTURE_2D_ARRAY, texture_.name());

@@ -4,6 +4,7 @@
 #include <string>
 
 #include <aolib/Status.h>
+#include <glm/vec2.hpp>
 
 #include "gl/Handle.h"
 #include "gl/RenderToTexture2D.h"
@@ -28,6 +29,12 @@ public:
 
     /// Directs rendering to one layer; sets the viewport.
     void begin(int layer) const;
+    /// Makes one layer a colour target of the framebuffer that is bound.
+    void attach(int location, int layer) const;
+    /// Replaces part of a layer; the data has the format's own channels and type, rows close-packed.
+    void upload(int layer, const glm::ivec2& at, const glm::ivec2& size, const void* data) const;
+    /// Copies all layers of a stack that has no more layers, and the same size and format.
+    void copyFrom(const TextureStack& other) const;
     /// Makes all layers readable by samplers of this texture unit (GL_TEXTURE_2D_ARRAY).
     void bind(int unit) const;
 

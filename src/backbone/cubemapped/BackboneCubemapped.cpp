@@ -7,10 +7,15 @@
 
 #include "backbone/Estimators.h"
 #include "backbone/cubemapped/Placement.h"
+#include "backbone/cubemapped/RasterTexels.h"
+#include "shared/cube_faces.h"
 
 namespace aolib {
 
 namespace {
+
+/// Frames over which a complete cube map comes in: its quality rises from kNewcomer to its own.
+constexpr int kFramesToComeIn = 32;
 
 template <typename Part>
 Status make(std::optional<Part>& part, const BackboneContext& context) {
@@ -37,15 +42,30 @@ BackboneCubemapped::create(const BackboneContext& context) {
             status = make(part, context);
         }
     };
-    then(backbone->shading_);
     then(backbone->projection_);
-    then(backbone->coverage_);
+    then(backbone->survey_);
     then(backbone->sight_);
     then(backbone->outlines_);
+    if (status) {
+        status = backbone->source().status();
+    }
     if (!status) {
         return status;
     }
     return std::unique_ptr<AbstractBackbone>(std::move(backbone));
+}
+
+Result<AbstractTexelSource*> BackboneCubemapped::source() {
+    if (!raster_) {
+        auto raster = RasterTexels::create(context_, sceneGeometry_, store_, [this] {
+            return radius();
+        });
+        if (!raster) {
+            return raster.status();
+        }
+        raster_ = std::move(*raster);
+    }
+    return raster_.get();
 }
 
 // ---- Cube maps by hand --------------------------------------------------------------------------
@@ -55,21 +75,26 @@ Result<CubeMapId> BackboneCubemapped::addCubeMap(const glm::vec3& position) {
         return Status(StatusCode::NoScene,
                       "there are no triangles to place a cube map among; describe a mesh first");
     }
+    followFaceSize();
     if (Status status = followScene(); !status) {
         return status;
     }
     auto projector = CubeMapProjector::create(context_.gl, CubeMapId{nextId_},
                                               Placement::freePosition(context_.scene, position),
-                                              context_.options.cubeMaps.faceSize);
+                                              store_.faceSize());
     if (!projector) {
         return projector.status();
     }
-    if (Status status = build(*projector); !status) {
-        return status;
-    }
     projectors_.push_back(std::make_unique<CubeMapProjector>(std::move(*projector)));
-    coverage_->restart();
-    latestCoverage_.reset();
+    CubeMapProjector& placed = *projectors_.back();
+    if (atOnce()) {
+        if (Status status = compute({&placed}); !status) {
+            removeCubeMap(placed.id());
+            return status;
+        }
+        bringIn({&placed});
+    }
+    cubeMapsChanged();
     return CubeMapId{nextId_++};
 }
 
@@ -78,23 +103,25 @@ Status BackboneCubemapped::removeCubeMap(CubeMapId id) {
     if (found == projectors_.end()) {
         return unknown(id);
     }
+    raster_->forget(id);
+    (*found)->dropFaces(store_);
+    std::erase(projected_, found->get());
     projectors_.erase(found);
-    coverage_->restart();
-    latestCoverage_.reset();
+    cubeMapsChanged();
     return {};
 }
 
 Status BackboneCubemapped::clear() {
-    projectors_.clear();
-    coverage_->restart();
-    latestCoverage_.reset();
+    while (!projectors_.empty()) {
+        removeCubeMap(projectors_.back()->id());
+    }
     return {};
 }
 
 std::vector<CubeMapInfo> BackboneCubemapped::cubeMaps() {
     std::vector<CubeMapInfo> infos;
     for (const auto& projector : projectors_) {
-        infos.push_back(projector->info());
+        infos.push_back(projector->info(store_));
     }
     return infos;
 }
@@ -104,7 +131,7 @@ Result<CubeMapImage> BackboneCubemapped::readCubeMap(CubeMapId id) {
     if (found == projectors_.end()) {
         return unknown(id);
     }
-    return (*found)->read(context_.gl);
+    return (*found)->read(context_.gl, store_);
 }
 
 std::vector<std::unique_ptr<CubeMapProjector>>::iterator BackboneCubemapped::find(CubeMapId id) {
@@ -113,6 +140,11 @@ std::vector<std::unique_ptr<CubeMapProjector>>::iterator BackboneCubemapped::fin
 }
 
 // ---- Following the scene and the options --------------------------------------------------------
+
+void BackboneCubemapped::cubeMapsChanged() {
+    survey_->restart();
+    latestSurvey_.reset();
+}
 
 void BackboneCubemapped::markAllDirty() {
     for (const auto& projector : projectors_) {
@@ -124,6 +156,20 @@ void BackboneCubemapped::optionsChanged(const Options& before) {
     if (!sameEstimate(before, context_.options)) { // the radius is watched where it is used
         markAllDirty();
     }
+}
+
+void BackboneCubemapped::followFaceSize() {
+    const int faceSize = context_.options.cubeMaps.faceSize;
+    if (store_.faceSize() == faceSize) {
+        return;
+    }
+    for (const auto& projector : projectors_) {
+        projector->dropFaces(store_);
+        projector->tiles = TileProgress(faceSize);
+        projector->dirty = true;
+        projector->shown = false;
+    }
+    store_.reset(faceSize);
 }
 
 Status BackboneCubemapped::followScene() {
@@ -143,38 +189,16 @@ Status BackboneCubemapped::followScene() {
         // Receivers up to a radius away from the change see a difference.
         const Bounds region = change.region.inflated(reach);
         for (const auto& projector : projectors_) {
-            projector->dirty = projector->dirty || sight_->sees(context_, *projector, region);
+            projector->dirty =
+                projector->dirty || sight_->sees(context_, *projector, store_, region);
         }
     }
-    return {};
-}
-
-Status BackboneCubemapped::build(CubeMapProjector& projector) {
-    const int faceSize = context_.options.cubeMaps.faceSize;
-    if (projector.faceSize() == faceSize) {
-        Status status = shading_->build(context_, sceneGeometry_, radius(), projector);
-        builtInFrame_ += status ? 1 : 0;
-        return status;
-    }
-    auto resized =
-        CubeMapProjector::create(context_.gl, projector.id(), projector.position(), faceSize);
-    if (!resized) {
-        return resized.status();
-    }
-    if (Status status = build(*resized); !status) {
-        return status; // the one of the old size stays
-    }
-    projector = std::move(*resized);
     return {};
 }
 
 // ---- Frame --------------------------------------------------------------------------------------
 
 Status BackboneCubemapped::placeWhereDue(const Frame& frame) {
-    if (const auto answer = coverage_->poll()) {
-        latestCoverage_ = answer;
-        shownCoverage_ = *answer;
-    }
     const CubeMapOptions& options = context_.options.cubeMaps;
     if (!options.place || context_.scene.empty()) {
         return {};
@@ -184,8 +208,8 @@ Status BackboneCubemapped::placeWhereDue(const Frame& frame) {
         positions.push_back(projector->position());
     }
     std::optional<float> coverage;
-    if (latestCoverage_) {
-        coverage = latestCoverage_->shaded;
+    if (latestSurvey_ && converged_) { // one that is on its way may cover what is missing
+        coverage = latestSurvey_->shaded;
     }
     if (!Placement::due(coverage, options.coverage, frame.position, positions,
                         context_.scene.bounds().diagonal())) {
@@ -207,32 +231,116 @@ std::vector<CubeMapProjector*> BackboneCubemapped::nearest(const glm::vec3& came
     return chosen;
 }
 
-Result<const gl::RenderToTexture2D*> BackboneCubemapped::computeVisibility(const Frame& frame) {
-    builtInFrame_ = 0;
-    if (Status status = followScene(); !status) {
-        return status;
+void BackboneCubemapped::heedSurvey(const std::vector<CubeMapProjector*>& projectors) {
+    const auto answer = survey_->poll();
+    if (!answer) {
+        return;
     }
-    if (Status status = placeWhereDue(frame); !status) {
-        return status;
+    latestSurvey_ = answer;
+    shownSurvey_ = *answer;
+    for (CubeMapProjector* projector : projectors) {
+        const glm::vec3 toEye(answer->eye - glm::dvec3(projector->position()));
+        for (const glm::vec3& point : answer->points) {
+            const glm::vec3 p = toEye + point;
+            const int face = shared::faceOf(p);
+            projector->tiles.ask(face, shared::faceCoordinates(face, p) *
+                                           static_cast<float>(projector->tiles.faceSize()));
+        }
     }
-    std::vector<CubeMapProjector*> projectors;
-    if (!context_.scene.empty()) {
-        projectors = nearest(frame.position);
+}
+
+Status BackboneCubemapped::compute(const std::vector<CubeMapProjector*>& projectors) {
+    const auto texels = source();
+    if (!texels) {
+        return texels.status();
     }
     for (CubeMapProjector* projector : projectors) {
         if (!projector->dirty) {
             continue;
         }
-        if (Status status = build(*projector); !status) {
-            return status;
+        (*texels)->forget(projector->id());
+        projector->tiles.restart();
+        if (atOnce()) {
+            projector->tiles.askAll();
+            if (Status status = (*texels)->complete(*projector); !status) {
+                return status;
+            }
+        }
+        projector->dirty = false;
+        ++builtInFrame_;
+    }
+    Status status;
+    if (!atOnce()) {
+        status = (*texels)->advance(projectors, static_cast<double>(context_.options.frameBudget));
+    }
+    return status;
+}
+
+void BackboneCubemapped::bringIn(const std::vector<CubeMapProjector*>& projectors) {
+    const int passes = raster_->passes();
+    for (CubeMapProjector* projector : projectors) {
+        if (atOnce()) {
+            projector->bias = 0.0F;
+        } else if (projector->bias < 0.0F && projector->shown && !projector->tiles.lacks(passes)) {
+            const float step = CubeMapProjector::kNewcomer / kFramesToComeIn;
+            projector->bias = std::min(projector->bias - step, 0.0F);
         }
     }
-    projectedInFrame_ = static_cast<int>(projectors.size());
-    return projection_->apply(context_, frame, geometry_, projectors, kUnshaded);
+}
+
+Status BackboneCubemapped::prepare(const Frame& frame) {
+    builtInFrame_ = 0;
+    projected_.clear();
+    followFaceSize();
+    if (Status status = followScene(); !status) {
+        return status;
+    }
+    heedSurvey(nearest(frame.position));
+    if (Status status = placeWhereDue(frame); !status) {
+        return status;
+    }
+    if (context_.scene.empty()) {
+        return {};
+    }
+    const std::vector<CubeMapProjector*> used = nearest(frame.position);
+    if (Status status = compute(used); !status) {
+        return status;
+    }
+    bringIn(used);
+    const int passes = raster_->passes();
+    converged_ = true;
+    for (CubeMapProjector* projector : used) {
+        // One that no survey has looked at yet has not begun.
+        converged_ = converged_ && projector->shown && projector->bias >= 0.0F &&
+                     !projector->tiles.lacks(passes);
+        if (projector->shown) {
+            projected_.push_back(projector);
+        }
+    }
+    return {};
+}
+
+bool BackboneCubemapped::shadesDirectly() const {
+    return context_.options.cubeMaps.projection == ProjectionMethod::SinglePass &&
+           !(context_.options.blur.enabled && noisy());
+}
+
+bool BackboneCubemapped::noisy() const {
+    return context_.options.estimator == Estimator::HorizonSplit;
+}
+
+void BackboneCubemapped::shadeDirectly(const Frame& frame) {
+    if (!projected_.empty()) {
+        projection_->shade(context_, frame, host_, store_, projected_);
+    }
+}
+
+Result<const gl::RenderToTexture2D*> BackboneCubemapped::computeVisibility(const Frame& frame) {
+    return projection_->apply(context_, frame, host_, store_, projected_);
 }
 
 Status BackboneCubemapped::finishFrame(const Frame& frame) {
-    coverage_->count(context_, frame, geometry_, visibility_, ++framesCounted_);
+    survey_->take(context_, frame, host_, store_, projected_, ++framesSurveyed_);
     if (context_.options.cubeMaps.outlines) {
         outlines_->draw(context_, frame, nearest(frame.position));
     }
@@ -240,15 +348,14 @@ Status BackboneCubemapped::finishFrame(const Frame& frame) {
 }
 
 void BackboneCubemapped::addStatistics(Statistics& statistics) {
-    statistics.coverage = shownCoverage_.shaded;
-    statistics.coverageFrame = shownCoverage_.frame;
-    statistics.cubeMapsProjected = projectedInFrame_;
+    statistics.coverage = shownSurvey_.shaded;
+    statistics.coverageFrame = shownSurvey_.frame;
+    statistics.cubeMapsProjected = static_cast<int>(projected_.size());
     statistics.cubeMapsBuilt = builtInFrame_;
+    statistics.converged = converged_;
     statistics.bytesFrame += projection_->bytes();
     statistics.bytesScene = sceneGeometry_.bytes();
-    for (const auto& projector : projectors_) {
-        statistics.bytesKept += projector->info().bytes;
-    }
+    statistics.bytesKept = store_.bytes();
 }
 
 } // namespace aolib

@@ -6,18 +6,18 @@
 
 #include "backbone/AbstractBackbone.h"
 #include "backbone/SceneGeometry.h"
-#include "backbone/cubemapped/Coverage.h"
+#include "backbone/cubemapped/AbstractTexelSource.h"
 #include "backbone/cubemapped/CubeMapOutlines.h"
-#include "backbone/cubemapped/CubeMapProjector.h"
-#include "backbone/cubemapped/DeferredShading.h"
 #include "backbone/cubemapped/Projection.h"
 #include "backbone/cubemapped/SightTest.h"
+#include "backbone/cubemapped/Survey.h"
 
 namespace aolib {
 
 /// Ambient occlusion computed once per cube map, kept, and projected onto every later frame: the
 /// thesis's strategy. Cube maps are placed by hand or by coverage; those that see a change of the
-/// scene are built again when they are next used.
+/// scene are computed again. With a frame budget that goes on over many frames, and only for what
+/// the views show.
 class BackboneCubemapped final : public AbstractBackbone {
 public:
     /// Errors: ShaderError, OutOfMemory.
@@ -31,26 +31,44 @@ public:
     Result<CubeMapImage> readCubeMap(CubeMapId id) override;
 
 private:
-    using AbstractBackbone::AbstractBackbone;
+    explicit BackboneCubemapped(const BackboneContext& context)
+        : AbstractBackbone(context), store_(context.gl) {}
 
+    Status prepare(const Frame& frame) override;
+    bool shadesDirectly() const override;
+    void shadeDirectly(const Frame& frame) override;
     Result<const gl::RenderToTexture2D*> computeVisibility(const Frame& frame) override;
+    bool noisy() const override;
     Status finishFrame(const Frame& frame) override;
     void addStatistics(Statistics& statistics) override;
 
+    /// The source that the options' estimator takes its texels from. Errors: ShaderError,
+    /// OutOfMemory, MissingCapability.
+    Result<AbstractTexelSource*> source();
     /// Follows the scene: uploads, and marks the cube maps that see a change.
     Status followScene();
+    /// Follows the options' face size.
+    void followFaceSize();
     void markAllDirty();
+    void cubeMapsChanged();
     /// Places a cube map at the camera if one is due.
     Status placeWhereDue(const Frame& frame);
-    Status build(CubeMapProjector& projector);
-    /// The cube maps to project, nearest first.
+    /// Takes the survey's answers: coverage, and what cube maps are asked for.
+    void heedSurvey(const std::vector<CubeMapProjector*>& projectors);
+    /// Computes what the frame's cube maps lack: all of it, or as much as the budget allows.
+    Status compute(const std::vector<CubeMapProjector*>& projectors);
+    /// Lets cube maps that are complete come in over a few frames.
+    void bringIn(const std::vector<CubeMapProjector*>& projectors);
+    bool atOnce() const { return context_.options.frameBudget <= 0.0F; }
+    /// The cube maps to work on in a frame, nearest first.
     std::vector<CubeMapProjector*> nearest(const glm::vec3& camera) const;
     std::vector<std::unique_ptr<CubeMapProjector>>::iterator find(CubeMapId id);
 
     SceneGeometry sceneGeometry_;
-    std::optional<DeferredShading> shading_;
+    FaceStore store_;
+    std::unique_ptr<AbstractTexelSource> raster_;
     std::optional<Projection> projection_;
-    std::optional<Coverage> coverage_;
+    std::optional<Survey> survey_;
     std::optional<SightTest> sight_;
     std::optional<CubeMapOutlines> outlines_;
 
@@ -58,11 +76,12 @@ private:
     std::uint32_t nextId_ = 1;
     float builtRadius_ = 0.0F; ///< that the cube maps which are not dirty were built with
 
-    std::optional<Coverage::Answer> latestCoverage_; ///< of the cube maps as they are
-    Coverage::Answer shownCoverage_{0, -1.0F};
-    std::uint64_t framesCounted_ = 0;
-    int projectedInFrame_ = 0;
+    std::optional<Survey::Answer> latestSurvey_; ///< of the cube maps as they are
+    Survey::Answer shownSurvey_{.frame = 0, .shaded = -1.0F, .points = {}};
+    std::uint64_t framesSurveyed_ = 0;
+    std::vector<CubeMapProjector*> projected_; ///< in the latest frame
     int builtInFrame_ = 0;
+    bool converged_ = true;
 };
 
 } // namespace aolib

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
+#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include "shared/cube_faces.h"
@@ -16,22 +16,8 @@ glm::mat3 cubeToFace(int face) {
         glm::mat3(shared::faceRight(face), shared::faceUp(face), shared::faceForward(face)));
 }
 
-Result<gl::RenderToTexture2D> CubeMapProjector::createTexels(const gl::Functions& gl, int faceSize,
-                                                             const std::string& label) {
-    using Format = gl::RenderToTexture2D::Format;
-    return gl::RenderToTexture2D::create(gl, {.width = kFaces * faceSize,
-                                              .height = faceSize,
-                                              .targets = {Format::R8, Format::R16},
-                                              .label = label});
-}
-
 Result<CubeMapProjector> CubeMapProjector::create(const gl::Functions& gl, CubeMapId id,
                                                   const glm::vec3& position, int faceSize) {
-    auto texels =
-        createTexels(gl, faceSize, "aolib/cube" + std::to_string(static_cast<std::uint32_t>(id)));
-    if (!texels) {
-        return texels.status();
-    }
     auto timer = gl::GpuTimer::create(gl);
     if (!timer) {
         return timer.status();
@@ -39,51 +25,93 @@ Result<CubeMapProjector> CubeMapProjector::create(const gl::Functions& gl, CubeM
     CubeMapProjector projector;
     projector.id_ = id;
     projector.position_ = position;
-    projector.faceSize_ = faceSize;
-    projector.texels_ = std::move(*texels);
+    projector.tiles = TileProgress(faceSize);
     projector.timer = std::move(*timer);
     return projector;
 }
 
-void CubeMapProjector::setDistanceCode(float nearest, float farthest) {
-    distanceCode_ = {nearest, std::log2(farthest / nearest)};
+void CubeMapProjector::setDepthCode(float nearest, float farthest) {
+    depthCode_ = {nearest, std::log2(farthest / nearest)};
 }
 
-void CubeMapProjector::bindDistance(gl::GLSLShader& shader, int unit) const {
-    texels_.bindTexture(1, unit);
-    shader.set("uCubeDistance", unit);
-    shader.set("uFaceSize", faceSize_);
-    shader.set("uDistanceCode", distanceCode_);
+Status CubeMapProjector::keepFace(FaceStore& store, int face) {
+    if (keeps(face)) {
+        return {};
+    }
+    const auto layer = store.take();
+    if (layer) {
+        layers_[static_cast<std::size_t>(face)] = *layer;
+    }
+    return layer.status();
 }
 
-void CubeMapProjector::bind(gl::GLSLShader& shader, int visibilityUnit, int distanceUnit) const {
-    texels_.bindTexture(0, visibilityUnit);
-    shader.set("uCubeVisibility", visibilityUnit);
-    bindDistance(shader, distanceUnit);
+Status CubeMapProjector::keepFaces(FaceStore& store, const std::array<bool, kFaces>& modelled) {
+    for (int face = 0; face < kFaces; ++face) {
+        if (!modelled[static_cast<std::size_t>(face)]) {
+            dropFace(store, face);
+        } else if (Status status = keepFace(store, face); !status) {
+            return status;
+        }
+    }
+    return {};
 }
 
-CubeMapImage CubeMapProjector::read(const gl::Functions& gl) const {
-    const auto count = static_cast<std::size_t>(kFaces * faceSize_ * faceSize_);
-    CubeMapImage image{faceSize_, position_, std::vector<float>(count), std::vector<float>(count)};
-    texels_.beginRead(0);
-    gl.ReadPixels(0, 0, kFaces * faceSize_, faceSize_, GL_RED, GL_FLOAT, image.visibility.data());
-    texels_.beginRead(1);
-    gl.ReadPixels(0, 0, kFaces * faceSize_, faceSize_, GL_RED, GL_FLOAT, image.distance.data());
-    for (float& distance : image.distance) {
-        distance = distance > 0.0F
-                       ? shared::decodeDistance(distance, distanceCode_.x, distanceCode_.y)
-                       : -1.0F;
+void CubeMapProjector::dropFace(FaceStore& store, int face) {
+    if (keeps(face)) {
+        store.giveBack(layer(face));
+        layers_[static_cast<std::size_t>(face)] = kNoLayer;
+    }
+}
+
+void CubeMapProjector::dropFaces(FaceStore& store) {
+    for (int face = 0; face < kFaces; ++face) {
+        dropFace(store, face);
+    }
+}
+
+int CubeMapProjector::facesKept() const {
+    return static_cast<int>(
+        std::count_if(layers_.begin(), layers_.end(), [](int layer) { return layer != kNoLayer; }));
+}
+
+CubeMapImage CubeMapProjector::read(const gl::Functions& gl, const FaceStore& store) const {
+    const int size = tiles.faceSize();
+    const auto count = static_cast<std::size_t>(kFaces * size * size);
+    CubeMapImage image{size, position_, std::vector<float>(count, 1.0F),
+                       std::vector<float>(count, -1.0F)};
+    const auto rows = static_cast<std::size_t>(size);
+    std::vector<float> face(rows * rows);
+    for (int f = 0; f < kFaces; ++f) {
+        for (int which = 0; keeps(f) && which < 2; ++which) {
+            store.beginRead(layer(f), which);
+            gl.ReadPixels(0, 0, size, size, GL_RED, GL_FLOAT, face.data());
+            std::vector<float>& into = which == 0 ? image.visibility : image.distance;
+            for (std::size_t i = 0; i < face.size(); ++i) {
+                const std::size_t x = i % rows;
+                const std::size_t y = i / rows;
+                float value = face[i];
+                if (which == 1) {
+                    const glm::vec2 uv =
+                        (glm::vec2(x, y) + 0.5F) / static_cast<float>(size);
+                    value = value > 0.0F
+                                ? shared::decodeDistance(value, depthCode_.x, depthCode_.y) *
+                                      glm::length(shared::faceDirection(f, uv))
+                                : -1.0F;
+                }
+                into[(y * kFaces + static_cast<std::size_t>(f)) * rows + x] = value;
+            }
+        }
     }
     return image;
 }
 
-CubeMapInfo CubeMapProjector::info() {
+CubeMapInfo CubeMapProjector::info(const FaceStore& store) {
     return {.id = id_,
             .position = position_,
-            .faceSize = faceSize_,
-            .facesModelled = static_cast<int>(std::count(modelled.begin(), modelled.end(), true)),
-            .layers = layers,
-            .bytes = texels_.bytes(),
+            .faceSize = tiles.faceSize(),
+            .facesModelled = facesKept(),
+            .layers = captured,
+            .bytes = static_cast<std::size_t>(facesKept()) * store.bytesPerFace(),
             .captureBytes = captureBytes,
             .buildMs = buildMs,
             .buildGpuMs = timer.milliseconds()};

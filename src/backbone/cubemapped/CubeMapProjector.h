@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <string>
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
@@ -12,18 +11,21 @@
 #include <aolib/Statistics.h>
 
 #include "backbone/Frame.h"
-#include "gl/GLSLShader.h"
+#include "backbone/cubemapped/FaceStore.h"
+#include "backbone/cubemapped/TileProgress.h"
 #include "gl/GpuTimer.h"
-#include "gl/RenderToTexture2D.h"
 
 namespace aolib {
 
-inline constexpr int kFaces = 6;
-
-/// A cube map that stands in the scene and projects its ambient occlusion onto it (thesis 4.4): six
-/// faces side by side, 8 bits of visibility and 16 bits of distance per texel, nothing else.
+/// A cube map that stands in the scene and projects its ambient occlusion onto it (thesis 4.4). Its
+/// texels lie in the face store; only faces that hold geometry have any.
 class CubeMapProjector {
 public:
+    static constexpr int kNoLayer = -1;
+    /// What a new cube map's quality lacks, in log2, until it has come in: it then shades only what
+    /// no other knows.
+    static constexpr float kNewcomer = -8.0F;
+
     /// Errors: MissingCapability, OutOfMemory.
     static Result<CubeMapProjector> create(const gl::Functions& gl, CubeMapId id,
                                            const glm::vec3& position, int faceSize);
@@ -31,39 +33,42 @@ public:
     CubeMapId id() const { return id_; }
     /// World units.
     const glm::vec3& position() const { return position_; }
-    int faceSize() const { return faceSize_; }
 
-    /// The distances that its code spans: nearest, log2(farthest / nearest).
-    const glm::vec2& distanceCode() const { return distanceCode_; }
-    void setDistanceCode(float nearest, float farthest);
+    /// The depths along a face's axis that its code spans: nearest, log2(farthest / nearest).
+    const glm::vec2& depthCode() const { return depthCode_; }
+    void setDepthCode(float nearest, float farthest);
 
-    /// The kept texels: visibility, coded distance.
-    const gl::RenderToTexture2D& texels() const { return texels_; }
-    /// Another target of the same kind, for what is not kept yet. Errors: as create().
-    static Result<gl::RenderToTexture2D> createTexels(const gl::Functions& gl, int faceSize,
-                                                      const std::string& label);
-    /// Binds what a projection reads and sets its uniforms.
-    void bind(gl::GLSLShader& shader, int visibilityUnit, int distanceUnit) const;
-    void bindDistance(gl::GLSLShader& shader, int unit) const;
+    /// Makes room for a face that holds geometry. Errors: as FaceStore::take().
+    Status keepFace(FaceStore& store, int face);
+    /// The same for all of them; those without geometry are given back.
+    Status keepFaces(FaceStore& store, const std::array<bool, kFaces>& modelled);
+    /// Gives all layers back; nothing is known any more.
+    void dropFaces(FaceStore& store);
+    void dropFace(FaceStore& store, int face);
+    bool keeps(int face) const { return layers_[static_cast<std::size_t>(face)] != kNoLayer; }
+    int layer(int face) const { return layers_[static_cast<std::size_t>(face)]; }
+    int facesKept() const;
+
     /// Reads everything back; waits for the GPU.
-    CubeMapImage read(const gl::Functions& gl) const;
+    CubeMapImage read(const gl::Functions& gl, const FaceStore& store) const;
+    CubeMapInfo info(const FaceStore& store);
 
-    CubeMapInfo info();
-
-    /// The scene changed where this cube map sees it: build again before the next use.
+    TileProgress tiles;
+    /// The scene or the options changed what it sees: compute again before the next use.
     bool dirty = true;
-    std::array<bool, kFaces> modelled{}; ///< faces that hold geometry
-    int layers = 0;                      ///< solid intervals captured along a ray, at most
-    std::size_t captureBytes = 0;        ///< GPU memory that the last build took and gave back
+    /// Each tile that was asked for has had its first pass: it may be shown.
+    bool shown = false;
+    float bias = kNewcomer; ///< added to log2 of its quality; 0 once it has come in
+    int captured = 0;       ///< solid intervals captured along a ray, at most
+    std::size_t captureBytes = 0; ///< GPU memory that the last build took and gave back
     double buildMs = 0.0;
     gl::GpuTimer timer;
 
 private:
     CubeMapId id_{};
     glm::vec3 position_{};
-    int faceSize_ = 0;
-    glm::vec2 distanceCode_{1.0F, 1.0F};
-    gl::RenderToTexture2D texels_;
+    glm::vec2 depthCode_{1.0F, 1.0F};
+    std::array<int, kFaces> layers_{kNoLayer, kNoLayer, kNoLayer, kNoLayer, kNoLayer, kNoLayer};
 };
 
 /// World axes to a face's: right, up, forward.

@@ -1,7 +1,7 @@
 #include "backbone/cubemapped/DeferredShading.h"
 
 #include <array>
-#include <chrono>
+#include <numbers>
 #include <string>
 
 #include "backbone/Estimators.h"
@@ -26,13 +26,8 @@ Result<DeferredShading> DeferredShading::create(const BackboneContext& context) 
     if (!peeling) {
         return peeling.status();
     }
-    auto smooth = buildShader(context.gl, "fullscreen.vert", "cubemap/smooth_texels.frag");
-    if (!smooth) {
-        return smooth.status();
-    }
     DeferredShading shading;
     shading.capture_ = std::move(*capture);
-    shading.smooth_ = std::move(*smooth);
     shading.peeling_ = std::move(*peeling);
     if (Status status = shading.chooseEstimator(context); !status) {
         return status;
@@ -40,125 +35,161 @@ Result<DeferredShading> DeferredShading::create(const BackboneContext& context) 
     return shading;
 }
 
-Status DeferredShading::chooseEstimator(const BackboneContext& context) {
-    const Estimator estimator = context.options.estimator;
-    auto shader =
-        buildShader(context.gl, "fullscreen.vert",
-                    "cubemap/visibility_" + std::string(traitsOf(estimator).shader) + ".frag");
-    if (shader) {
-        visibility_ = std::move(*shader);
-        estimator_ = estimator;
-    }
-    return shader.status();
+int DeferredShading::passes(const Options& options) {
+    return options.estimator == Estimator::LayeredIntervals ? options.layeredIntervals.slices : 1;
 }
 
-Status DeferredShading::build(const BackboneContext& context, const SceneGeometry& geometry,
-                              float radius, CubeMapProjector& projector) {
-    const gl::DebugGroup group(context.gl, "aolib: build a cube map");
-    const auto start = std::chrono::steady_clock::now();
+Status DeferredShading::chooseEstimator(const BackboneContext& context) {
+    const Estimator estimator = context.options.estimator;
+    if (estimator_ == estimator || estimator == Estimator::RayTraced) {
+        return {};
+    }
+    const EstimatorTraits traits = traitsOf(estimator);
+    auto visibility =
+        buildShader(context.gl, "fullscreen.vert",
+                    "cubemap/visibility_" + std::string(traits.shader) + ".frag");
+    if (!visibility) {
+        return visibility.status();
+    }
+    auto resolve = buildShader(context.gl, "fullscreen.vert",
+                               traits.layered ? "cubemap/smooth_texels.frag"
+                                              : "cubemap/resolve_nearest.frag");
+    if (!resolve) {
+        return resolve.status();
+    }
+    visibility_ = std::move(*visibility);
+    resolve_ = std::move(*resolve);
+    estimator_ = estimator;
+    return {};
+}
+
+// ---- Capture ------------------------------------------------------------------------------------
+
+Result<CubeMapCapture> DeferredShading::capture(const BackboneContext& context,
+                                                const SceneGeometry& geometry,
+                                                CubeMapProjector& projector, FaceStore& store) {
+    const gl::DebugGroup group(context.gl, "aolib: capture a cube map");
     if (context.scene.empty()) {
-        return {StatusCode::NoScene, "there are no triangles to place a cube map among; describe a "
-                                     "mesh first"};
+        return Status(StatusCode::NoScene,
+                      "there are no triangles to place a cube map among; describe a mesh first");
     }
-    if (estimator_ != context.options.estimator) {
-        if (Status status = chooseEstimator(context); !status) {
-            return status;
-        }
+    if (Status status = chooseEstimator(context); !status) {
+        return status;
     }
-    projector.timer.begin();
+    CubeMapCapture capture;
+    const int size = projector.tiles.faceSize();
+    auto accumulated = gl::RenderToTexture2D::create(context.gl, {.width = kFaces * size,
+                                                                  .height = size,
+                                                                  .targets = {Format::RG32F},
+                                                                  .label = "aolib/accumulated"});
+    if (!accumulated) {
+        return accumulated.status();
+    }
+    const std::array<GLfloat, 4> nothing{};
+    accumulated->begin(0);
+    context.gl.ClearBufferfv(GL_COLOR, 0, nothing.data());
+    capture.accumulated = std::move(*accumulated);
     const DistanceRange range = distanceRange(context.scene, projector.position());
-    const bool layered = traitsOf(estimator_).layered;
-    const Status status = layered ? shadeLayers(context, geometry, radius, range, projector)
-                                  : shadeNearest(context, geometry, radius, range, projector);
-    projector.timer.end();
+    // A depth along a face's axis is a distance divided by at most sqrt(3).
+    projector.setDepthCode(range.nearest / std::numbers::sqrt3_v<float>, range.farthest);
+    const Status status =
+        traitsOf(*estimator_).layered
+            ? captureLayers(context, geometry, range, projector, store, capture)
+            : captureNearest(context, geometry, range, projector, store, capture);
     if (!status) {
         return status;
     }
-    projector.dirty = false;
-    projector.buildMs =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    return {};
+    capture.bytes += capture.accumulated.bytes();
+    projector.captureBytes = capture.bytes;
+    return capture;
 }
 
-Status DeferredShading::shadeNearest(const BackboneContext& context, const SceneGeometry& geometry,
-                                     float radius, const DistanceRange& range,
-                                     CubeMapProjector& projector) {
+Status DeferredShading::captureNearest(const BackboneContext& context,
+                                       const SceneGeometry& geometry, const DistanceRange& range,
+                                       CubeMapProjector& projector, FaceStore& store,
+                                       CubeMapCapture& capture) {
     const gl::Functions& gl = context.gl;
-    auto captured = gl::RenderToTexture2D::create(gl, {.width = kFaces * projector.faceSize(),
-                                                       .height = projector.faceSize(),
-                                                       .targets = {Format::RGBA32F},
-                                                       .depth = Depth::Depth32F,
-                                                       .label = "aolib/capture"});
-    if (!captured) {
-        return captured.status();
+    const int size = projector.tiles.faceSize();
+    auto nearest = gl::RenderToTexture2D::create(gl, {.width = kFaces * size,
+                                                      .height = size,
+                                                      .targets = {Format::RGBA32F},
+                                                      .depth = Depth::Depth32F,
+                                                      .label = "aolib/capture"});
+    if (!nearest) {
+        return nearest.status();
     }
     const std::array<GLfloat, 4> nothing{0.0F, 0.0F, 0.0F, -1.0F};
     const GLfloat deepest = 1.0F;
-    captured->beginAll();
+    nearest->beginAll();
     gl.ClearBufferfv(GL_COLOR, 0, nothing.data());
     gl.ClearBufferfv(GL_DEPTH, 0, &deepest);
     capture_.bind();
-    projector.modelled = FaceCapture(context, geometry, projector, range).draw(capture_);
-    projector.setDistanceCode(range.nearest, range.farthest);
-    projector.captureBytes = captured->bytes();
-    projector.layers = 1;
-    visibility_.bind();
-    captured->bindTexture(0, 0);
-    visibility_.set("uGeometry", 0);
-    visibility_.set("uFaceSize", projector.faceSize());
-    setEstimatorUniforms(visibility_, context.options, radius);
-    shadeFaces(context, visibility_, projector, projector.texels());
-    return {};
+    const auto drawn = FaceCapture(context, geometry, projector, range).draw(capture_);
+    projector.captured = 1;
+    capture.nearest = std::move(*nearest);
+    capture.bytes = capture.nearest.bytes();
+    return projector.keepFaces(store, drawn);
 }
 
-Status DeferredShading::shadeLayers(const BackboneContext& context, const SceneGeometry& geometry,
-                                    float radius, const DistanceRange& range,
-                                    CubeMapProjector& projector) {
-    const auto raw =
-        CubeMapProjector::createTexels(context.gl, projector.faceSize(), "aolib/layers/raw");
-    if (!raw) {
-        return raw.status();
-    }
-    const auto layers = peeling_.capture(context, geometry, projector, range,
-                                         context.options.layeredIntervals.layers);
+Status DeferredShading::captureLayers(const BackboneContext& context,
+                                      const SceneGeometry& geometry, const DistanceRange& range,
+                                      CubeMapProjector& projector, FaceStore& store,
+                                      CubeMapCapture& capture) {
+    auto layers = peeling_.capture(context, geometry, projector, range,
+                                   context.options.layeredIntervals.layers);
     if (!layers) {
         return layers.status();
     }
-    projector.modelled = layers->modelled;
-    projector.setDistanceCode(range.nearest, range.farthest);
-    projector.captureBytes = layers->bytes + raw->bytes();
-    projector.layers = layers->intervals.layers();
-    visibility_.bind();
-    LayerPeeling::bind(visibility_, *layers, projector.faceSize());
-    setEstimatorUniforms(visibility_, context.options, radius);
-    shadeFaces(context, visibility_, projector, *raw);
-    smooth_.bind();
-    LayerPeeling::bind(smooth_, *layers, projector.faceSize());
-    raw->bindTexture(0, 1);
-    smooth_.set("uRaw", 1);
-    shadeFaces(context, smooth_, projector, projector.texels());
-    return {};
+    projector.captured = layers->intervals.layers();
+    capture.bytes = layers->bytes;
+    capture.layers = std::move(*layers);
+    return projector.keepFaces(store, capture.layers->modelled);
 }
 
-void DeferredShading::shadeFaces(const BackboneContext& context, gl::GLSLShader& shader,
-                                 const CubeMapProjector& projector,
-                                 const gl::RenderToTexture2D& texels) {
+// ---- Texels -------------------------------------------------------------------------------------
+
+void DeferredShading::bind(gl::GLSLShader& shader, const CubeMapCapture& capture, int faceSize) {
+    shader.bind();
+    if (capture.layers) {
+        LayerPeeling::bind(shader, *capture.layers, faceSize);
+    } else {
+        capture.nearest.bindTexture(0, 0);
+        shader.set("uGeometry", 0);
+        shader.set("uFaceSize", faceSize);
+    }
+}
+
+void DeferredShading::accumulate(const BackboneContext& context, const CubeMapCapture& capture,
+                                 float radius, const TileProgress::Region& region, int first,
+                                 int count) {
     const gl::DebugGroup group(context.gl, "aolib: texels of a cube map");
     const gl::Functions& gl = context.gl;
-    const std::array<GLfloat, 4> open{1.0F, 0.0F, 0.0F, 0.0F};
-    const std::array<GLfloat, 4> nothing{0.0F, 0.0F, 0.0F, 0.0F};
-    texels.beginAll();
-    gl.ClearBufferfv(GL_COLOR, 0, open.data());
-    gl.ClearBufferfv(GL_COLOR, 1, nothing.data());
-    shader.set("uDistanceCode", projector.distanceCode());
-    const int size = projector.faceSize();
-    for (int face = 0; face < kFaces; ++face) {
-        if (projector.modelled[static_cast<std::size_t>(face)]) {
-            gl.Viewport(face * size, 0, size, size);
-            shader.set("uFace", face);
-            context.generated.drawFullscreen();
-        }
-    }
+    const int size = capture.accumulated.height();
+    capture.accumulated.begin(0);
+    gl.Viewport(region.face * size + region.x, region.y, region.width, region.height);
+    bind(visibility_, capture, size);
+    visibility_.set("uFace", region.face);
+    visibility_.set("uFirstSlice", first);
+    visibility_.set("uSliceCount", count);
+    setEstimatorUniforms(visibility_, context.options, radius);
+    gl.Enable(GL_BLEND);
+    gl.BlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
+    context.generated.drawFullscreen();
+    gl.Disable(GL_BLEND);
+}
+
+void DeferredShading::resolve(const BackboneContext& context, const CubeMapCapture& capture,
+                              const CubeMapProjector& projector, const FaceStore& store,
+                              const TileProgress::Region& region) {
+    const gl::DebugGroup group(context.gl, "aolib: keep texels");
+    store.begin(projector.layer(region.face));
+    context.gl.Viewport(region.x, region.y, region.width, region.height);
+    bind(resolve_, capture, store.faceSize());
+    capture.accumulated.bindTexture(0, 1);
+    resolve_.set("uAccumulated", 1);
+    resolve_.set("uFace", region.face);
+    resolve_.set("uDepthCode", projector.depthCode());
+    context.generated.drawFullscreen();
 }
 
 } // namespace aolib

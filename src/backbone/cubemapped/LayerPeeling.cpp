@@ -212,7 +212,7 @@ Result<LayerPeeling::Layers> LayerPeeling::capture(const BackboneContext& contex
                                                    const DistanceRange& range, int most) {
     const gl::DebugGroup group(context.gl, "aolib: peel layers");
     const gl::Functions& gl = context.gl;
-    const int faceSize = projector.faceSize();
+    const int faceSize = projector.tiles.faceSize();
     auto made = Targets::create(gl, faceSize);
     if (!made) {
         return made.status();

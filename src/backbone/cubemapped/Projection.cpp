@@ -2,59 +2,140 @@
 
 #include <utility>
 
+#include "backbone/Composite.h"
 #include "backbone/ShaderLibrary.h"
 #include "gl/Label.h"
 
 namespace aolib {
 
+namespace {
+
+constexpr int kDepthUnit = 0;
+constexpr int kVisibilityUnit = 1;
+constexpr int kCubeDepthUnit = 2;
+constexpr int kBestUnit = 3;
+
+/// Two faces' layers as one number, as shaders/cubemap/projection.glsl takes them apart.
+int pairOfLayers(const CubeMapProjector& projector, int face) {
+    const auto bits = [&](int f) {
+        return static_cast<std::uint32_t>(projector.layer(f)) & 0xFFFFU; // none is 0xFFFF
+    };
+    return static_cast<int>(bits(face) | bits(face + 1) << 16U);
+}
+
+} // namespace
+
 Result<Projection> Projection::create(const BackboneContext& context) {
-    auto shader = buildShader(context.gl, "fullscreen.vert", "cubemap/project.frag");
-    if (!shader) {
-        return shader.status();
+    auto project = buildShader(context.gl, "fullscreen.vert", "cubemap/project.frag");
+    if (!project) {
+        return project.status();
+    }
+    auto shade = buildShader(context.gl, "fullscreen.vert", "cubemap/shade.frag");
+    if (!shade) {
+        return shade.status();
     }
     Projection projection;
-    projection.shader_ = std::move(*shader);
+    projection.project_ = std::move(*project);
+    projection.shade_ = std::move(*shade);
     return projection;
 }
 
-Result<const gl::RenderToTexture2D*>
-Projection::apply(const BackboneContext& context, const Frame& frame,
-                  const GeometryBuffer& geometry, const std::vector<CubeMapProjector*>& projectors,
-                  float unshaded) {
-    const gl::DebugGroup group(context.gl, "aolib: project cube maps");
-    for (gl::RenderToTexture2D& target : best_) {
-        if (target && target.width() == frame.size.x && target.height() == frame.size.y) {
-            continue;
-        }
-        auto created = gl::RenderToTexture2D::create(
-            context.gl, {.width = frame.size.x,
-                         .height = frame.size.y,
-                         .targets = {gl::RenderToTexture2D::Format::RG16F},
-                         .label = "aolib/frame/best"});
-        if (!created) {
-            return created.status();
-        }
+void Projection::bind(gl::GLSLShader& shader, const Frame& frame, const HostFramebuffer& host,
+                      const FaceStore& store, const std::vector<CubeMapProjector*>& projectors) {
+    shader.bind();
+    host.bindDepth(kDepthUnit);
+    shader.set("uDepth", kDepthUnit);
+    frame.camera.setUniforms(shader, frame.size, frame.clip);
+    shader.set("uCubes", static_cast<int>(projectors.size()));
+    if (store.empty() || projectors.empty()) {
+        // Samplers of different types must not share a unit even where they are not read.
+        shader.set("uCubeVisibility", kVisibilityUnit);
+        shader.set("uCubeDepth", kCubeDepthUnit);
+        return;
+    }
+    store.bind(shader, kVisibilityUnit, kCubeDepthUnit);
+    std::vector<glm::vec4> toEye;
+    std::vector<glm::vec4> codes;
+    std::vector<glm::ivec4> layers;
+    for (const CubeMapProjector* projector : projectors) {
+        toEye.emplace_back(glm::vec3(frame.camera.eye() - glm::dvec3(projector->position())),
+                           projector->bias);
+        codes.emplace_back(projector->depthCode(), 0.0F, 0.0F);
+        layers.emplace_back(pairOfLayers(*projector, 0), pairOfLayers(*projector, 2),
+                            pairOfLayers(*projector, 4), 0);
+    }
+    shader.set("uCubeToEye", toEye);
+    shader.set("uDepthCode", codes);
+    shader.set("uFaceLayers", layers);
+}
+
+void Projection::shade(const BackboneContext& context, const Frame& frame,
+                       const HostFramebuffer& host, const FaceStore& store,
+                       const std::vector<CubeMapProjector*>& projectors) {
+    const gl::DebugGroup group(context.gl, "aolib: project and blend");
+    bind(shade_, frame, host, store, projectors);
+    shade_.set("uOrigin", frame.origin);
+    shade_.set("uContrast", context.options.contrast);
+    beginHostColours(context, frame);
+    blendIntoHost(context);
+    endHostColours(context);
+}
+
+Status Projection::prepare(const BackboneContext& context, const Frame& frame,
+                           gl::RenderToTexture2D& target) {
+    if (target && target.width() == frame.size.x && target.height() == frame.size.y) {
+        return {};
+    }
+    auto created = gl::RenderToTexture2D::create(
+        context.gl, {.width = frame.size.x,
+                     .height = frame.size.y,
+                     .targets = {gl::RenderToTexture2D::Format::RGBA32F},
+                     .label = "aolib/frame/best"});
+    if (created) {
         target = std::move(*created);
     }
-    const gl::RenderToTexture2D* best = &best_[0];
-    const gl::RenderToTexture2D* next = &best_[1];
-    const std::array<GLfloat, 4> nothing{1.0F, unshaded, 0.0F, 0.0F};
-    best->begin(0);
-    context.gl.ClearBufferfv(GL_COLOR, 0, nothing.data());
-    shader_.bind();
-    geometry.bind(shader_, frame, 0, 1);
-    shader_.set("uBest", 2);
-    shader_.set("uShowFaces", context.options.debugView == DebugView::Faces ? 1 : 0);
-    for (const CubeMapProjector* projector : projectors) {
+    return created.status();
+}
+
+Result<const gl::RenderToTexture2D*>
+Projection::apply(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,
+                  const FaceStore& store, const std::vector<CubeMapProjector*>& projectors) {
+    const gl::DebugGroup group(context.gl, "aolib: project cube maps");
+    const int cubes = static_cast<int>(projectors.size());
+    const bool single = context.options.cubeMaps.projection == ProjectionMethod::SinglePass;
+    const int perPass = single ? std::max(cubes, 1) : 1;
+    for (gl::RenderToTexture2D& target : best_) {
+        if (Status status = prepare(context, frame, target); !status) {
+            return status;
+        }
+        if (perPass >= cubes) {
+            break;
+        }
+    }
+    bind(project_, frame, host, store, projectors);
+    project_.set("uBest", kBestUnit);
+    const gl::RenderToTexture2D* best = nullptr;
+    for (int first = 0; first == 0 || first < cubes; first += perPass) {
+        const gl::RenderToTexture2D* next = best == &best_[0] ? &best_[1] : &best_[0];
         next->begin(0);
-        best->bindTexture(0, 2);
-        projector->bind(shader_, 3, 4);
-        shader_.set("uCubeToEye",
-                    glm::vec3(frame.camera.eye() - glm::dvec3(projector->position())));
+        if (best != nullptr) {
+            best->bindTexture(0, kBestUnit);
+        }
+        project_.set("uFirstPass", best == nullptr ? 1 : 0);
+        project_.set("uFirstCube", first);
+        project_.set("uEndCube", std::min(first + perPass, cubes));
         context.generated.drawFullscreen();
-        std::swap(best, next);
+        best = next;
     }
     return best;
+}
+
+std::size_t Projection::bytes() const {
+    std::size_t sum = 0;
+    for (const gl::RenderToTexture2D& target : best_) {
+        sum += target ? target.bytes() : 0;
+    }
+    return sum;
 }
 
 } // namespace aolib

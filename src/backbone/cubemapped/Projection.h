@@ -3,29 +3,40 @@
 #include <array>
 #include <vector>
 
-#include "backbone/GeometryBuffer.h"
+#include "backbone/HostFramebuffer.h"
 #include "backbone/cubemapped/CubeMapProjector.h"
+#include "gl/GLSLShader.h"
 
 namespace aolib {
 
-/// Projects cube maps onto the host's view, one pass each, best quality first (thesis 4.4): the
-/// best so far is carried to and fro between two textures.
+/// Projects cube maps onto the host's view (thesis 4.4): best quality wins, close calls are blended.
 class Projection {
 public:
     /// Errors: ShaderError.
     static Result<Projection> create(const BackboneContext& context);
 
-    /// @return the target whose texture 0 holds, per pixel, W (or the face's code for
-    ///         DebugView::Faces) and log2 of its quality; `unshaded` where no cube map knows it.
+    /// Sets what shaders/cubemap/projection.glsl and shaders/frame/host_surface.glsl read, on units
+    /// 0 to 2.
+    static void bind(gl::GLSLShader& shader, const Frame& frame, const HostFramebuffer& host,
+                     const FaceStore& store, const std::vector<CubeMapProjector*>& projectors);
+
+    /// Darkens the host's picture in a single pass.
+    void shade(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,
+               const FaceStore& store, const std::vector<CubeMapProjector*>& projectors);
+
+    /// The same into a target whose texture 0 holds, per pixel, the weighted sum of W, log2 of
+    /// quality, the face's code and the weight; in one pass, or to and fro between two targets.
     /// Errors: OutOfMemory.
     Result<const gl::RenderToTexture2D*> apply(const BackboneContext& context, const Frame& frame,
-                                               const GeometryBuffer& geometry,
-                                               const std::vector<CubeMapProjector*>& projectors,
-                                               float unshaded);
-    std::size_t bytes() const { return best_[0] ? 2 * best_[0].bytes() : 0; }
+                                               const HostFramebuffer& host, const FaceStore& store,
+                                               const std::vector<CubeMapProjector*>& projectors);
+    std::size_t bytes() const;
 
 private:
-    gl::GLSLShader shader_;
+    Status prepare(const BackboneContext& context, const Frame& frame, gl::RenderToTexture2D& target);
+
+    gl::GLSLShader project_;
+    gl::GLSLShader shade_;
     std::array<gl::RenderToTexture2D, 2> best_;
 };
 

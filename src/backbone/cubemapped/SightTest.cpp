@@ -36,7 +36,7 @@ Result<SightTest> SightTest::create(const BackboneContext& context) {
 }
 
 bool SightTest::sees(const BackboneContext& context, const CubeMapProjector& projector,
-                     const Bounds& region) {
+                     const FaceStore& store, const Bounds& region) {
     const gl::Functions& gl = context.gl;
     const gl::DebugGroup group(gl, "aolib: does a cube map see a change");
     const glm::vec3 centre = projector.position();
@@ -46,11 +46,11 @@ bool SightTest::sees(const BackboneContext& context, const CubeMapProjector& pro
     const float nearest = glm::distance(centre, glm::clamp(centre, region.min, region.max));
     // Inside the region, or while an occlusion query of the host's runs: no need, or no way, to
     // ask.
-    if (nearest <= 0.0F || hostCountsSamples(gl)) {
+    if (nearest <= 0.0F || store.empty() || hostCountsSamples(gl)) {
         return true;
     }
-    auto target = gl::RenderToTexture2D::create(gl, {.width = projector.faceSize(),
-                                                     .height = projector.faceSize(),
+    auto target = gl::RenderToTexture2D::create(gl, {.width = store.faceSize(),
+                                                     .height = store.faceSize(),
                                                      .targets = {gl::RenderToTexture2D::Format::R8},
                                                      .label = "aolib/sight"});
     const auto query = gl::generate<gl::Query>(gl, &gl::Functions::GenQueries);
@@ -63,14 +63,15 @@ bool SightTest::sees(const BackboneContext& context, const CubeMapProjector& pro
     const float far = 2.0F * farthest;
     target->begin(0);
     shader_.bind();
-    projector.bindDistance(shader_, 0);
+    store.bind(shader_, 1, 0);
+    shader_.set("uDepthCode", projector.depthCode());
     shader_.set("uBoxMin", region.min - centre);
     shader_.set("uBoxMax", region.max - centre);
     shader_.set("uDepthMap",
                 glm::vec2((far + near) / (far - near), -2.0F * far * near / (far - near)));
     gl.BeginQuery(GL_ANY_SAMPLES_PASSED, query.name());
     for (int face = 0; face < kFaces; ++face) {
-        shader_.set("uFace", face);
+        shader_.set("uLayer", projector.layer(face));
         shader_.set("uCubeToFace", cubeToFace(face));
         context.generated.drawGenerated(GL_TRIANGLES, kBoxVertices);
     }

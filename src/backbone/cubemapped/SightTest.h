@@ -13,7 +13,7 @@ public:
 
     /// Waits for the answer. May say yes when it is no, never the other way.
     bool sees(const BackboneContext& context, const CubeMapProjector& projector,
-              const Bounds& region);
+              const FaceStore& store, const Bounds& region);
 
 private:
     gl::GLSLShader shader_;

@@ -56,10 +56,14 @@ TEST(FalloffTest, WeightsAreThoseOfTheDesign) {
 }
 
 TEST(QualityTest, PrefersNearerCentralAndFacing) {
-    const float reference = logQuality(2.0F, 0.8F, 0.7F);
-    EXPECT_NEAR(logQuality(1.0F, 0.8F, 0.7F) - reference, 2.0F, 1e-5F) << "1/d^2";
-    EXPECT_NEAR(logQuality(2.0F, 0.4F, 0.7F) - reference, -3.0F, 1e-5F) << "cos^3 beta";
-    EXPECT_NEAR(logQuality(2.0F, 0.8F, 0.35F) - reference, -1.0F, 1e-5F) << "cos delta";
+    // At distance d, with the cosines b to the face's axis and c to the surface's normal.
+    const auto quality = [](float d, float b, float c) { return logQuality(d * d, d * b, d * c); };
+    const float reference = quality(2.0F, 0.8F, 0.7F);
+    EXPECT_NEAR(quality(1.0F, 0.8F, 0.7F) - reference, 2.0F, 1e-5F) << "1/d^2";
+    EXPECT_NEAR(quality(2.0F, 0.4F, 0.7F) - reference, -3.0F, 1e-5F) << "cos^3 beta";
+    EXPECT_NEAR(quality(2.0F, 0.8F, 0.35F) - reference, -1.0F, 1e-5F) << "cos delta";
+    EXPECT_NEAR(quality(2e12F, 0.8F, 0.7F) - reference, -2.0F * std::log2(1e12F), 1e-4F);
+    EXPECT_NEAR(quality(2e-12F, 0.8F, 0.7F) - reference, 2.0F * std::log2(1e12F), 1e-4F);
 }
 
 } // namespace

@@ -1,0 +1,118 @@
+// What cube maps know of a surface point (thesis 4.4): the best quality factor wins, and close calls
+// are blended, so that neither a border between two cube maps nor a new one shows as a step.
+#include "shared/cube_faces.h"
+#include "shared/distance_code.h"
+#include "shared/quality.h"
+
+uniform sampler2DArray uCubeVisibility; // a layer per face that is kept
+uniform sampler2DArray uCubeDepth;      // coded depth along the face's axis; 0 where nothing is known
+uniform int uFaceSize;                  // texels
+// Per cube map: from its centre to the eye (world units), and what is added to log2 of its quality.
+uniform vec4 uCubeToEye[64];
+uniform vec4 uDepthCode[64]; // nearest depth, log2(farthest / nearest), two unused
+// Layers of the six faces, two to a number: +X -X, +Y -Y, +Z -Z; kNoLayer where none is kept.
+uniform ivec4 uFaceLayers[64];
+
+const int kNoLayer = 0xFFFF;
+// A texel belongs to the pixel's surface when it lies on the pixel's tangent plane to within this
+// many texel footprints (more at grazing angles, where a footprint on the surface is longer).
+const float kPlaneFootprints = 0.5;
+const float kSteepest = 0.2; // cosine below which the tolerance grows no more
+// Weights go with this power of the quality factor; what is below the best by more than the margin
+// (in log2 of quality) counts for nothing and is not looked up.
+const float kSharpness = 4.0;
+const float kMargin = 2.0;
+const float kUnknown = -1.0e5; // log2 of quality where no cube map knows the surface
+
+struct Projected {
+    float sum;     // of visibility, weighted
+    float weights; // relative to the best quality
+    float quality; // log2, of the best
+    int face;      // of the best
+    vec2 uv;       // on that face
+};
+
+Projected nothingProjected() { return Projected(0.0, 0.0, kUnknown, 0, vec2(0.0)); }
+
+int faceLayer(int cube, int face) {
+    return (uFaceLayers[cube][face >> 1] >> (16 * (face & 1))) & 0xFFFF;
+}
+
+// Visibility of p by the four texels about it that lie on its surface; negative if there is none.
+// p and normal in the face's axes.
+float lookUp(vec3 p, vec3 normal, int layer, vec2 code, float tolerance) {
+    float size = float(uFaceSize);
+    vec2 at = (p.xy / p.z * 0.5 + 0.5) * size - 0.5;
+    vec2 corner = clamp(floor(at), vec2(0.0), vec2(size - 2.0));
+    vec2 f = clamp(at - corner, 0.0, 1.0);
+#ifdef GL_ARB_texture_gather
+    vec3 middle = vec3((corner + 1.0) / size, float(layer));
+    vec4 codes = textureGather(uCubeDepth, middle).wzxy;
+    vec4 visibilities = textureGather(uCubeVisibility, middle).wzxy;
+#else
+    ivec3 first = ivec3(ivec2(corner), layer);
+    vec4 codes = vec4(texelFetch(uCubeDepth, first, 0).r,
+                      texelFetch(uCubeDepth, first + ivec3(1, 0, 0), 0).r,
+                      texelFetch(uCubeDepth, first + ivec3(0, 1, 0), 0).r,
+                      texelFetch(uCubeDepth, first + ivec3(1, 1, 0), 0).r);
+    vec4 visibilities = vec4(texelFetch(uCubeVisibility, first, 0).r,
+                             texelFetch(uCubeVisibility, first + ivec3(1, 0, 0), 0).r,
+                             texelFetch(uCubeVisibility, first + ivec3(0, 1, 0), 0).r,
+                             texelFetch(uCubeVisibility, first + ivec3(1, 1, 0), 0).r);
+#endif
+    vec4 depths = code.x * exp2((codes * 65535.0 - 1.0) / 65534.0 * code.y);
+    // Texel rays are (s, t, 1) in the face's axes: their distance from the tangent plane is affine.
+    vec2 s = (corner + 0.5) * (2.0 / size) - 1.0;
+    float step = 2.0 / size;
+    float slope = dot(normal, vec3(s, 1.0));
+    vec4 slopes = vec4(slope, slope + normal.x * step, slope + normal.y * step,
+                       slope + (normal.x + normal.y) * step);
+    vec4 off = abs(depths * slopes - dot(normal, p));
+    // Never quite zero: a lone texel in the far corner is better than none.
+    vec4 weights = vec4((1.0 - f.x) * (1.0 - f.y), f.x * (1.0 - f.y), (1.0 - f.x) * f.y, f.x * f.y) +
+                   1.0e-3;
+    weights *= vec4(lessThanEqual(off, vec4(tolerance))) * vec4(greaterThan(codes, vec4(0.0)));
+    float sum = dot(weights, vec4(1.0));
+    return sum > 0.0 ? dot(weights, visibilities) / sum : -1.0;
+}
+
+// Adds what one cube map knows of a point.
+// @param eyeTo       from the eye to the point, world axes
+// @param resolution  how much the point's depth may be wrong, world units
+void project(int cube, vec3 eyeTo, vec3 normal, float resolution, inout Projected best) {
+    vec3 p = uCubeToEye[cube].xyz + eyeTo;
+    float facing = -dot(normal, p);
+    if (!(facing > 0.0)) {
+        return; // the cube map sees the other side, if any
+    }
+    float distance2 = dot(p, p);
+    vec3 a = abs(p);
+    float depth = max(a.x, max(a.y, a.z));
+    float quality = logQuality(distance2, depth, facing) + uCubeToEye[cube].w;
+    if (quality < best.quality - kMargin) {
+        return;
+    }
+    int face = faceOf(p);
+    int layer = faceLayer(cube, face);
+    if (layer == kNoLayer) {
+        return;
+    }
+    float cosDelta = facing * inversesqrt(distance2);
+    float footprint = 2.0 * depth / float(uFaceSize);
+    float tolerance = kPlaneFootprints * footprint / max(cosDelta, kSteepest) + resolution;
+    vec3 inFace = toFace(face, p);
+    float visibility =
+        lookUp(inFace, toFace(face, normal), layer, uDepthCode[cube].xy, tolerance);
+    if (visibility < 0.0) {
+        return;
+    }
+    if (quality > best.quality) {
+        float fade = exp2(max(kSharpness * (best.quality - quality), -100.0));
+        best = Projected(best.sum * fade + visibility, best.weights * fade + 1.0, quality, face,
+                         inFace.xy / inFace.z * 0.5 + 0.5);
+    } else {
+        float weight = exp2(kSharpness * (quality - best.quality));
+        best.sum += weight * visibility;
+        best.weights += weight;
+    }
+}

@@ -1,0 +1,28 @@
+#version 330 core
+#extension GL_ARB_texture_gather : enable
+// Projects all cube maps and blends at once: the factor that the host's colours are multiplied by,
+// (1 - a) + a W, thesis eq. 4.11.
+#include "frame/host_surface.glsl"
+#include "cubemap/projection.glsl"
+
+uniform ivec2 uOrigin; // lower left corner of the host's viewport, pixels
+uniform int uCubes;
+uniform float uContrast;
+
+layout(location = 0) out vec4 outFactor;
+
+void main() {
+    HostSurface surface;
+    if (!hostSurface(ivec2(gl_FragCoord.xy) - uOrigin, surface)) {
+        discard;
+    }
+    vec3 eyeTo = uEyeToWorld * surface.eye;
+    vec3 normal = uEyeToWorld * surface.normal;
+    float resolution = depthResolution(surface.t);
+    Projected best = nothingProjected();
+    for (int cube = 0; cube < uCubes; ++cube) {
+        project(cube, eyeTo, normal, resolution, best);
+    }
+    float visibility = best.weights > 0.0 ? best.sum / best.weights : 1.0;
+    outFactor = vec4(vec3(1.0 - uContrast + uContrast * visibility), 1.0);
+}

@@ -1,0 +1,27 @@
+#version 330 core
+#extension GL_ARB_texture_gather : enable
+// A sample of the host's view for a small target: what is where, and does a cube map shade it?
+#include "frame/host_surface.glsl"
+#include "cubemap/projection.glsl"
+
+uniform vec2 uTargetSize;
+uniform vec2 uOffset; // of the sample in its cell, 0 to 1
+uniform int uCubes;
+
+// From the eye to the surface, world axes; 0 background, 1 surface, 2 surface that is shaded.
+layout(location = 0) out vec4 outSample;
+
+void main() {
+    ivec2 pixel = ivec2((gl_FragCoord.xy - 0.5 + uOffset) / uTargetSize * uViewSize);
+    outSample = vec4(0.0);
+    HostSurface surface;
+    if (!hostSurface(pixel, surface)) {
+        return;
+    }
+    vec3 eyeTo = uEyeToWorld * surface.eye;
+    Projected best = nothingProjected();
+    for (int cube = 0; cube < uCubes; ++cube) {
+        project(cube, eyeTo, uEyeToWorld * surface.normal, depthResolution(surface.t), best);
+    }
+    outSample = vec4(eyeTo, best.weights > 0.0 ? 2.0 : 1.0);
+}

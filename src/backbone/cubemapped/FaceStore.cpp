@@ -1,0 +1,123 @@
+#include "backbone/cubemapped/FaceStore.h"
+
+#include <algorithm>
+#include <array>
+
+namespace aolib {
+
+namespace {
+
+using Format = gl::RenderToTexture2D::Format;
+
+/// Layers that are added at a time: a cube map's worth, since each growth copies what is there.
+constexpr int kGrowth = 6;
+
+} // namespace
+
+void FaceStore::reset(int faceSize) {
+    visibility_ = {};
+    depth_ = {};
+    used_.clear();
+    faceSize_ = faceSize;
+}
+
+Status FaceStore::grow() {
+    const int layers = static_cast<int>(used_.size()) + kGrowth;
+    const auto create = [&](Format format, const char* label) {
+        return gl::TextureStack::create(*gl_, {.width = faceSize_,
+                                               .height = faceSize_,
+                                               .layers = layers,
+                                               .format = format,
+                                               .label = label});
+    };
+    if (!framebuffer_) {
+        framebuffer_ = gl::generate<gl::Framebuffer>(*gl_, &gl::Functions::GenFramebuffers);
+        if (!framebuffer_) {
+            return {StatusCode::OutOfMemory, "aolib/faces: GL gave no framebuffer name"};
+        }
+    }
+    auto visibility = create(Format::R8, "aolib/faces/visibility");
+    if (!visibility) {
+        return visibility.status();
+    }
+    auto depth = create(Format::R16, "aolib/faces/depth");
+    if (!depth) {
+        return depth.status();
+    }
+    if (!used_.empty()) {
+        visibility->copyFrom(visibility_);
+        depth->copyFrom(depth_);
+    }
+    visibility_ = std::move(*visibility);
+    depth_ = std::move(*depth);
+    used_.resize(static_cast<std::size_t>(layers), false);
+    return {};
+}
+
+Result<int> FaceStore::take() {
+    auto free = std::find(used_.begin(), used_.end(), false);
+    if (free == used_.end()) {
+        const std::size_t before = used_.size();
+        if (Status status = grow(); !status) {
+            return status;
+        }
+        free = used_.begin() + static_cast<std::ptrdiff_t>(before);
+    }
+    *free = true;
+    const int layer = static_cast<int>(free - used_.begin());
+    const std::array<GLfloat, 4> open{1.0F, 0.0F, 0.0F, 0.0F};
+    const std::array<GLfloat, 4> nothing{};
+    begin(layer);
+    gl_->ClearBufferfv(GL_COLOR, 0, open.data());
+    gl_->ClearBufferfv(GL_COLOR, 1, nothing.data());
+    return layer;
+}
+
+void FaceStore::giveBack(int layer) {
+    used_.at(static_cast<std::size_t>(layer)) = false;
+    if (std::none_of(used_.begin(), used_.end(), [](bool used) { return used; })) {
+        reset(faceSize_);
+    }
+}
+
+void FaceStore::begin(int layer) const {
+    constexpr std::array<GLenum, 2> kBoth{GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+    gl_->BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+    visibility_.attach(0, layer);
+    depth_.attach(1, layer);
+    gl_->DrawBuffers(static_cast<GLsizei>(kBoth.size()), kBoth.data());
+    gl_->Viewport(0, 0, faceSize_, faceSize_);
+}
+
+void FaceStore::beginRead(int layer, int which) const {
+    begin(layer);
+    gl_->ReadBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(which));
+}
+
+void FaceStore::upload(int layer, const TileProgress::Region& region,
+                       std::span<const std::uint8_t> visibility,
+                       std::span<const std::uint16_t> depth) const {
+    visibility_.upload(layer, {region.x, region.y}, {region.width, region.height},
+                       visibility.data());
+    depth_.upload(layer, {region.x, region.y}, {region.width, region.height}, depth.data());
+}
+
+void FaceStore::bind(gl::GLSLShader& shader, int visibilityUnit, int depthUnit) const {
+    visibility_.bind(visibilityUnit);
+    depth_.bind(depthUnit);
+    shader.set("uCubeVisibility", visibilityUnit);
+    shader.set("uCubeDepth", depthUnit);
+    shader.set("uFaceSize", faceSize_);
+}
+
+std::size_t FaceStore::bytesPerFace() const {
+    return (gl::RenderToTexture2D::bytesPerTexel(Format::R8) +
+            gl::RenderToTexture2D::bytesPerTexel(Format::R16)) *
+           static_cast<std::size_t>(faceSize_) * static_cast<std::size_t>(faceSize_);
+}
+
+std::size_t FaceStore::bytes() const {
+    return used_.size() * bytesPerFace();
+}
+
+} // namespace aolib

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "backbone/cubemapped/TileProgress.h"
+#include "gl/GLSLShader.h"
+#include "gl/TextureStack.h"
+
+namespace aolib {
+
+/// The texels that cube maps keep, 3 bytes each: a layer of 8-bit visibility and one of 16-bit coded
+/// depth (shaders/shared/distance_code.h) for every face that holds geometry, none for the others.
+/// All lie in two array textures, so that one pass reads them all.
+class FaceStore {
+public:
+    explicit FaceStore(const gl::Functions& gl) : gl_(&gl) {}
+
+    /// Forgets all layers; those taken from now on are faces of this many texels along an edge.
+    void reset(int faceSize);
+    int faceSize() const { return faceSize_; }
+
+    /// A layer in which nothing is known. May move all others in GPU memory.
+    /// Errors: MissingCapability, OutOfMemory; then the store is as before.
+    Result<int> take();
+    void giveBack(int layer);
+
+    /// Directs rendering to a layer: visibility at location 0, depth at location 1.
+    void begin(int layer) const;
+    /// Directs reading to a layer's visibility (0) or depth (1).
+    void beginRead(int layer, int which) const;
+    /// Replaces a tile's texels, row 0 at the bottom.
+    void upload(int layer, const TileProgress::Region& region,
+                std::span<const std::uint8_t> visibility,
+                std::span<const std::uint16_t> depth) const;
+    /// Makes the layers readable and sets uFaceSize.
+    void bind(gl::GLSLShader& shader, int visibilityUnit, int depthUnit) const;
+
+    std::size_t bytesPerFace() const;
+    /// GPU memory, layers in reserve included.
+    std::size_t bytes() const;
+    /// Whether there is a layer at all.
+    bool empty() const { return used_.empty(); }
+
+private:
+    Status grow();
+
+    const gl::Functions* gl_;
+    int faceSize_ = 0;
+    gl::TextureStack visibility_;
+    gl::TextureStack depth_;
+    gl::Framebuffer framebuffer_;
+    std::vector<bool> used_; ///< one per layer
+};
+
+} // namespace aolib

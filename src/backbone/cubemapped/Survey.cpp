@@ -1,0 +1,108 @@
+#include "backbone/cubemapped/Survey.h"
+
+#include <cmath>
+#include <cstring>
+
+#include <glm/vec4.hpp>
+
+#include "backbone/ShaderLibrary.h"
+#include "gl/Label.h"
+
+namespace aolib {
+
+namespace {
+
+/// Where a frame's samples lie in their cells: the R2 sequence (Roberts 2018), which visits all of a
+/// cell over the frames.
+glm::vec2 offsetOf(std::uint64_t frame) {
+    const double n = static_cast<double>(frame % 4096);
+    return {std::fmod(0.5 + 0.7548776662466927 * n, 1.0),
+            std::fmod(0.5 + 0.5698402909980532 * n, 1.0)};
+}
+
+} // namespace
+
+Result<Survey> Survey::create(const BackboneContext& context) {
+    auto shader = buildShader(context.gl, "fullscreen.vert", "cubemap/survey.frag");
+    if (!shader) {
+        return shader.status();
+    }
+    auto target = gl::RenderToTexture2D::create(
+        context.gl, {.width = kSize,
+                     .height = kSize,
+                     .targets = {gl::RenderToTexture2D::Format::RGBA32F},
+                     .label = "aolib/survey"});
+    if (!target) {
+        return target.status();
+    }
+    Survey survey;
+    survey.shader_ = std::move(*shader);
+    survey.target_ = std::move(*target);
+    for (Request& request : survey.requests_) {
+        auto readback = gl::PixelReadback::create(context.gl, survey.target_.bytes(),
+                                                  "aolib/survey/readback");
+        if (!readback) {
+            return readback.status();
+        }
+        request.readback = std::move(*readback);
+    }
+    return survey;
+}
+
+void Survey::take(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,
+                  const FaceStore& store, const std::vector<CubeMapProjector*>& projectors,
+                  std::uint64_t frameNumber) {
+    const gl::DebugGroup group(context.gl, "aolib: survey");
+    for (Request& request : requests_) {
+        if (request.readback.pending()) {
+            continue;
+        }
+        target_.begin(0);
+        Projection::bind(shader_, frame, host, store, projectors);
+        shader_.set("uTargetSize", glm::vec2(kSize));
+        shader_.set("uOffset", offsetOf(frameNumber));
+        context.generated.drawFullscreen();
+        target_.beginRead(0);
+        request.readback.start(kSize, kSize, GL_RGBA, GL_FLOAT);
+        request.frame = frameNumber;
+        request.eye = frame.camera.eye();
+        return;
+    }
+}
+
+Survey::Answer Survey::evaluate(const Request& request, std::span<const std::uint8_t> pixels) {
+    Answer answer{.frame = request.frame, .eye = request.eye, .points = {}};
+    std::size_t shaded = 0;
+    for (std::size_t i = 0; i + sizeof(glm::vec4) <= pixels.size(); i += sizeof(glm::vec4)) {
+        glm::vec4 sample;
+        std::memcpy(&sample, pixels.data() + i, sizeof(sample));
+        if (sample.w > 0.5F) {
+            answer.points.emplace_back(sample);
+            shaded += sample.w > 1.5F ? 1 : 0;
+        }
+    }
+    answer.shaded = answer.points.empty() ? 1.0F
+                                          : static_cast<float>(shaded) /
+                                                static_cast<float>(answer.points.size());
+    return answer;
+}
+
+std::optional<Survey::Answer> Survey::poll() {
+    std::optional<Answer> newest;
+    for (Request& request : requests_) {
+        request.readback.poll([&](std::span<const std::uint8_t> pixels) {
+            if (!newest || request.frame > newest->frame) {
+                newest = evaluate(request, pixels);
+            }
+        });
+    }
+    return newest;
+}
+
+void Survey::restart() {
+    for (Request& request : requests_) {
+        request.readback.cancel();
+    }
+}
+
+} // namespace aolib

@@ -1,0 +1,89 @@
+#include "backbone/cubemapped/TileProgress.h"
+
+#include <algorithm>
+#include <limits>
+
+#include <glm/common.hpp>
+
+namespace aolib {
+
+namespace {
+
+/// A point this near to a tile's border asks for the neighbour too, texels: views are sampled
+/// sparsely, and lookups are bilinear.
+constexpr float kNear = 8.0F;
+
+} // namespace
+
+TileProgress::TileProgress(int faceSize)
+    : faceSize_(faceSize), perEdge_((faceSize + kTile - 1) / kTile),
+      tiles_(static_cast<std::size_t>(kFaces * perEdge_ * perEdge_)) {}
+
+TileProgress::Region TileProgress::region(int tile) const {
+    const int perFace = perEdge_ * perEdge_;
+    const int x = tile % perFace % perEdge_ * kTile;
+    const int y = tile % perFace / perEdge_ * kTile;
+    return {tile / perFace, x, y, std::min(kTile, faceSize_ - x), std::min(kTile, faceSize_ - y)};
+}
+
+void TileProgress::askTile(int face, int column, int row) {
+    const int tile = (face * perEdge_ + row) * perEdge_ + column;
+    tiles_[static_cast<std::size_t>(tile)].asked = true;
+}
+
+void TileProgress::ask(int face, const glm::vec2& at) {
+    const auto tileOf = [&](const glm::vec2& texel) {
+        return glm::clamp(glm::ivec2(texel) / kTile, glm::ivec2(0), glm::ivec2(perEdge_ - 1));
+    };
+    const glm::ivec2 low = tileOf(glm::max(at - kNear, glm::vec2(0.0F)));
+    const glm::ivec2 high = tileOf(glm::max(at + kNear, glm::vec2(0.0F)));
+    for (int row = low.y; row <= high.y; ++row) {
+        for (int column = low.x; column <= high.x; ++column) {
+            askTile(face, column, row);
+        }
+    }
+}
+
+void TileProgress::askAll() {
+    for (Tile& tile : tiles_) {
+        tile.asked = true;
+    }
+}
+
+void TileProgress::setPasses(int tile, int passes) {
+    tiles_[static_cast<std::size_t>(tile)].passes = static_cast<std::uint16_t>(passes);
+}
+
+int TileProgress::fewestPasses() const {
+    int fewest = std::numeric_limits<int>::max();
+    for (const Tile& tile : tiles_) {
+        if (tile.asked) {
+            fewest = std::min(fewest, static_cast<int>(tile.passes));
+        }
+    }
+    return fewest == std::numeric_limits<int>::max() ? -1 : fewest;
+}
+
+bool TileProgress::lacks(int passes) const {
+    const int fewest = fewestPasses();
+    return fewest >= 0 && fewest < passes;
+}
+
+std::vector<int> TileProgress::mostUrgent(int most) const {
+    const int fewest = fewestPasses();
+    std::vector<int> urgent;
+    for (int tile = 0; fewest < most && tile < count(); ++tile) {
+        if (asked(tile) && passes(tile) == fewest) {
+            urgent.push_back(tile);
+        }
+    }
+    return urgent;
+}
+
+void TileProgress::restart() {
+    for (Tile& tile : tiles_) {
+        tile.passes = 0;
+    }
+}
+
+} // namespace aolib

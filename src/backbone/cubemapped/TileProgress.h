@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+namespace aolib {
+
+inline constexpr int kFaces = 6;
+
+/// Which tiles of a cube map some view has asked for, and how far each has been computed, in passes
+/// of whatever computes it. No GL.
+class TileProgress {
+public:
+    static constexpr int kTile = 32; ///< texels along a tile's edge
+
+    struct Region {
+        int face = 0;
+        int x = 0; ///< lower left texel
+        int y = 0;
+        int width = 0; ///< texels; less than a tile's at a face's far edges
+        int height = 0;
+    };
+
+    TileProgress() = default;
+    explicit TileProgress(int faceSize);
+
+    int faceSize() const { return faceSize_; }
+    int count() const { return static_cast<int>(tiles_.size()); }
+    Region region(int tile) const;
+
+    /// Asks for the tile that a point of a face lies in, and for its neighbour where the point is
+    /// near their border. @param at  texels.
+    void ask(int face, const glm::vec2& at);
+    void askAll();
+    bool asked(int tile) const { return tiles_[static_cast<std::size_t>(tile)].asked; }
+
+    int passes(int tile) const { return tiles_[static_cast<std::size_t>(tile)].passes; }
+    void setPasses(int tile, int passes);
+    /// Fewest passes of any tile that is asked for; -1 when none is.
+    int fewestPasses() const;
+    /// Whether some tile that is asked for has had fewer passes than this.
+    bool lacks(int passes) const;
+    /// The tiles that are asked for and have had the fewest passes, below `most`.
+    std::vector<int> mostUrgent(int most) const;
+    /// Nothing is computed any more; what was asked for stays.
+    void restart();
+
+private:
+    struct Tile {
+        bool asked = false;
+        std::uint16_t passes = 0;
+    };
+    void askTile(int face, int column, int row);
+
+    int faceSize_ = 0;
+    int perEdge_ = 0;
+    std::vector<Tile> tiles_;
+};
+
+} // namespace aolib

@@ -49,6 +49,7 @@ struct AmbientOcclusion::Impl {
     Scene scene;
     SceneBuilder builder;
     gl::VertexArray generated;
+    std::unique_ptr<AbstractTexelTracer> tracer;
     std::unique_ptr<AbstractBackbone> backbone;
     std::optional<HostCamera> camera; ///< as aoSetCamera() gave it
     std::optional<Matrices> atBegin;  ///< GL's matrices at aoDrawBegin()
@@ -56,7 +57,7 @@ struct AmbientOcclusion::Impl {
     Status lastStatus;
     MessageSink sink;
 
-    BackboneContext context() { return {gl, generated, scene, options}; }
+    BackboneContext context() { return {gl, generated, scene, options, tracer}; }
 
     Status report(Status status) {
         if (!status) {
@@ -142,6 +143,11 @@ Status AmbientOcclusion::setOptions(const Options& options) {
         impl_->options = before;
     }
     return impl_->report(std::move(status));
+}
+
+void AmbientOcclusion::setTexelTracer(std::unique_ptr<AbstractTexelTracer> tracer) {
+    impl_->backbone->dropTracer();
+    impl_->tracer = std::move(tracer);
 }
 
 // ---- Scene definition ---------------------------------------------------------------------------

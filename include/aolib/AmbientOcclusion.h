@@ -8,6 +8,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
+#include <aolib/AbstractTexelTracer.h>
 #include <aolib/Export.h>
 #include <aolib/Options.h>
 #include <aolib/ProcAddressLoader.h>
@@ -46,6 +47,10 @@ public:
     /// A new `backbone` exchanges the strategy. Errors, which change nothing: InvalidOption,
     /// ShaderError, OutOfMemory. Context, where the backbone changes. Since 0.1.
     Status setOptions(const Options& options);
+
+    /// Gives the tracer that `Estimator::RayTraced` works with, or takes it away (empty). Cube maps
+    /// that were traced by another are traced again. Since 0.1.
+    void setTexelTracer(std::unique_ptr<AbstractTexelTracer> tracer);
 
     // ---- Scene definition, one vertex at a time (thesis 4.7.1) -----------------------------
 

@@ -29,6 +29,9 @@ public:
     /// The options changed from `before` to what the context now refers to.
     virtual void optionsChanged(const Options& before) = 0;
 
+    /// The tracer is about to be exchanged: nothing may hold on to it.
+    virtual void dropTracer() {}
+
     /// Cube maps; a strategy that keeps none answers InvalidCallOrder.
     virtual Result<CubeMapId> addCubeMap(const glm::vec3& position);
     virtual Status removeCubeMap(CubeMapId id);

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <array>
+#include <memory>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include <aolib/AbstractTexelTracer.h>
 #include <aolib/Options.h>
 
 #include "backbone/HostCamera.h"
@@ -20,6 +22,7 @@ struct BackboneContext {
     const gl::VertexArray& generated; ///< no attributes; covers the screen with one triangle
     Scene& scene;
     const Options& options;
+    const std::unique_ptr<AbstractTexelTracer>& tracer; ///< empty: the host gave none
 };
 
 /// One frame as the host hands it over at aoDrawEnd().

@@ -33,13 +33,17 @@ Result<SceneGeometry::Piece> upload(const gl::Functions& gl, MeshId id, const Me
 
 } // namespace
 
-Status SceneGeometry::update(const gl::Functions& gl, const Scene& scene,
-                             const std::vector<Scene::Change>& changes, bool solids) {
+void SceneGeometry::forget(const std::vector<Scene::Change>& changes) {
     for (const Scene::Change& change : changes) {
         if (change.geometry) {
             pieces_.erase(change.id);
         }
     }
+}
+
+Status SceneGeometry::update(const gl::Functions& gl, const Scene& scene,
+                             const std::vector<Scene::Change>& changes, bool solids) {
+    forget(changes);
     std::uint32_t firstSolid = 0;
     for (const auto& [id, mesh] : scene.meshes()) {
         auto found = pieces_.find(id);

@@ -25,6 +25,8 @@ public:
     /// @param solids  whether the pieces must tell solids from sheets. Errors: OutOfMemory.
     Status update(const gl::Functions& gl, const Scene& scene,
                   const std::vector<Scene::Change>& changes, bool solids);
+    /// Drops what changed, without uploading anything.
+    void forget(const std::vector<Scene::Change>& changes);
     const Piece& piece(MeshId id) const { return pieces_.at(id); }
     std::size_t bytes() const;
 

@@ -6,6 +6,7 @@
 
 #include <aolib/AmbientOcclusion.h>
 
+#include "host/AoInstance.h"
 #include "host/HostFramebuffer.h"
 #include "host/HostRenderer.h"
 
@@ -229,7 +230,7 @@ Failure failureOf(const Status& status) {
 Outcome<RenderResult> render(const GlSession& session, const Model& model, const RenderJob& job,
                              Progress& progress) {
     progress.begin(model.name + ": rendering");
-    Result<AmbientOcclusion> ao = AmbientOcclusion::create(session.loader(), job.options);
+    Result<AmbientOcclusion> ao = host::createInstance(session.loader(), job.options);
     if (!ao) {
         return failureOf(ao.status());
     }

@@ -9,6 +9,7 @@
 #include "bench/CubeMapPositions.h"
 #include "bench/HostedFrames.h"
 #include "bench/WarmUp.h"
+#include "host/AoInstance.h"
 #include "host/ModelScene.h"
 
 namespace aolib::bench {
@@ -74,7 +75,7 @@ Loaded<FacadeRun> FacadeRun::create(const gl::Functions& gl, const ProcAddressLo
         return LoadError{scene.entry.name + ": " + status.message()};
     };
     auto timer = std::make_unique<PassTimer>();
-    Result<AmbientOcclusion> ao = AmbientOcclusion::create(timer->wrap(loader));
+    Result<AmbientOcclusion> ao = host::createInstance(timer->wrap(loader));
     if (!ao) {
         return failed(ao.status());
     }

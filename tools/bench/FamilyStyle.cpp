@@ -11,6 +11,8 @@ FamilyStyle styleOf(Family family) {
         return {{0, 90, 181}, Marker::Disc, ours, 0.0};
     case Family::LayeredCubeTen:
         return {{38, 160, 218}, Marker::Ring, ours, 0.0};
+    case Family::RayTracedCube:
+        return {{200, 30, 90}, Marker::Disc, ours, 0.0};
     case Family::HorizonCube:
         return {{128, 70, 160}, Marker::Square, others, 0.0};
     case Family::HorizonScreen:

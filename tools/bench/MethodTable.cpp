@@ -44,6 +44,20 @@ Method layeredCube(int slices, int steps, int faceSize, int cubeMaps, bool stand
             FacadeMethod{options, cubeMaps}, standard};
 }
 
+Method rayTracedCube(int rays, int faceSize, int cubeMaps = 1) {
+    Options options = withoutPlacement();
+    options.estimator = Estimator::RayTraced;
+    options.rayTraced.rays = rays;
+    options.frameBudget = 5.0F;
+    options.cubeMaps.faceSize = faceSize;
+    options.cubeMaps.nearest = cubeMaps;
+    const std::string size = std::to_string(faceSize);
+    return {"traced-" + std::to_string(rays) + "-" + size +
+                (cubeMaps > 1 ? "-" + std::to_string(cubeMaps) + "maps" : ""),
+            std::to_string(rays) + " " + size, Family::RayTracedCube,
+            FacadeMethod{options, cubeMaps}};
+}
+
 Method horizonScreen(int directions, int steps) {
     Options options;
     options.backbone = Backbone::ScreenSpace;
@@ -80,6 +94,7 @@ Method fewRays(int rays) {
 
 const std::vector<Family>& families() {
     static const std::vector<Family> all{Family::LayeredCube,     Family::LayeredCubeTen,
+                                         Family::RayTracedCube,
                                          Family::HorizonCube,     Family::HorizonScreen,
                                          Family::LayeredScreen,   Family::LayeredScreenRaw,
                                          Family::SurfaceElements, Family::FewRays};
@@ -90,6 +105,8 @@ std::string_view familyName(Family family) {
     switch (family) {
     case Family::HorizonCube:
         return "aolib: horizon split (thesis), one cube map";
+    case Family::RayTracedCube:
+        return "aolib: ray-traced texels";
     case Family::LayeredCube:
         return "aolib: layered intervals, one cube map";
     case Family::LayeredCubeTen:
@@ -122,6 +139,11 @@ const std::vector<Method>& benchMethods() {
         layeredCube(4, 8, 256, 10),
         layeredCube(8, 16, 256, 10, kOnRequest),
         layeredCube(8, 16, 512, 10, kOnRequest),
+        rayTracedCube(64, 512),
+        rayTracedCube(256, 512),
+        rayTracedCube(1024, 512),
+        rayTracedCube(256, 1024),
+        rayTracedCube(256, 512, 10),
         horizonCube(16, 16, 256),
         horizonCube(16, 16, 512),
         horizonScreen(8, 8),

@@ -13,6 +13,7 @@ namespace aolib::bench {
 enum class Family {
     HorizonCube,      ///< aolib: the thesis's estimator, cube maps
     LayeredCube,      ///< aolib: layered intervals, one cube map
+    RayTracedCube,    ///< aolib: texels traced in the background
     LayeredCubeTen,   ///< aolib: layered intervals, ten cube maps
     HorizonScreen,    ///< the thesis's estimator on the host's view, every frame
     LayeredScreen,    ///< slices of constant thickness on the host's view, every frame, blurred

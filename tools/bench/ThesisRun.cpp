@@ -10,6 +10,7 @@
 #include "bench/OpenedScene.h"
 #include "bench/TimeLeft.h"
 #include "bench/WarmUp.h"
+#include "host/AoInstance.h"
 #include "host/ModelScene.h"
 
 namespace aolib::bench {
@@ -117,7 +118,7 @@ private:
 
 Result<SceneRun> beginScene(const gl::Functions& gl, const ProcAddressLoader& loader,
                             const OpenedScene& scene, const PictureSize& size) {
-    Result<AmbientOcclusion> ao = AmbientOcclusion::create(loader);
+    Result<AmbientOcclusion> ao = host::createInstance(loader);
     if (!ao) {
         return ao.status();
     }

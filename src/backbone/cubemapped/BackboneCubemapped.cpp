@@ -46,8 +46,8 @@ BackboneCubemapped::create(const BackboneContext& context) {
     then(backbone->survey_);
     then(backbone->sight_);
     then(backbone->outlines_);
-    if (status) {
-        status = backbone->source().status();
+    if (status && context.options.estimator != Estimator::RayTraced) {
+        status = backbone->source().status(); // fails here rather than in a frame
     }
     if (!status) {
         return status;
@@ -56,6 +56,19 @@ BackboneCubemapped::create(const BackboneContext& context) {
 }
 
 Result<AbstractTexelSource*> BackboneCubemapped::source() {
+    if (context_.options.estimator == Estimator::RayTraced) {
+        if (!context_.tracer) {
+            return Status(StatusCode::MissingCapability,
+                          "Estimator::RayTraced needs a tracer; give one by setTexelTracer, as "
+                          "createTexelTracer() of aolib/RayTracing.h makes it");
+        }
+        if (!traced_) {
+            traced_ = std::make_unique<RayTracedTexels>(context_, store_, *context_.tracer);
+            traced_->sceneChanged();
+            traced_->setRadius(radius());
+        }
+        return static_cast<AbstractTexelSource*>(traced_.get());
+    }
     if (!raster_) {
         auto raster = RasterTexels::create(context_, sceneGeometry_, store_, [this] {
             return radius();
@@ -103,7 +116,7 @@ Status BackboneCubemapped::removeCubeMap(CubeMapId id) {
     if (found == projectors_.end()) {
         return unknown(id);
     }
-    raster_->forget(id);
+    forget(id);
     (*found)->dropFaces(store_);
     std::erase(projected_, found->get());
     projectors_.erase(found);
@@ -132,6 +145,22 @@ Result<CubeMapImage> BackboneCubemapped::readCubeMap(CubeMapId id) {
         return unknown(id);
     }
     return (*found)->read(context_.gl, store_);
+}
+
+void BackboneCubemapped::forget(CubeMapId id) {
+    if (raster_) {
+        raster_->forget(id);
+    }
+    if (traced_) {
+        traced_->forget(id);
+    }
+}
+
+void BackboneCubemapped::dropTracer() {
+    traced_.reset();
+    if (context_.options.estimator == Estimator::RayTraced) {
+        markAllDirty();
+    }
 }
 
 std::vector<std::unique_ptr<CubeMapProjector>>::iterator BackboneCubemapped::find(CubeMapId id) {
@@ -174,13 +203,21 @@ void BackboneCubemapped::followFaceSize() {
 
 Status BackboneCubemapped::followScene() {
     const std::vector<Scene::Change> changes = context_.scene.takeChanges();
-    if (Status status = sceneGeometry_.update(context_.gl, context_.scene, changes,
+    if (context_.options.estimator == Estimator::RayTraced) {
+        sceneGeometry_.forget(changes); // rays need no triangles on the GPU
+    } else if (Status status = sceneGeometry_.update(context_.gl, context_.scene, changes,
                                               traitsOf(context_.options.estimator).layered);
         !status) {
         markAllDirty(); // the changes are taken and will not come again
         return status;
     }
+    if (traced_ && !changes.empty()) {
+        traced_->sceneChanged();
+    }
     const float reach = radius();
+    if (traced_) {
+        traced_->setRadius(reach);
+    }
     if (reach != builtRadius_) {
         builtRadius_ = reach;
         markAllDirty();
@@ -254,11 +291,12 @@ Status BackboneCubemapped::compute(const std::vector<CubeMapProjector*>& project
     if (!texels) {
         return texels.status();
     }
+    passes_ = (*texels)->passes();
     for (CubeMapProjector* projector : projectors) {
         if (!projector->dirty) {
             continue;
         }
-        (*texels)->forget(projector->id());
+        forget(projector->id());
         projector->tiles.restart();
         if (atOnce()) {
             projector->tiles.askAll();
@@ -277,11 +315,10 @@ Status BackboneCubemapped::compute(const std::vector<CubeMapProjector*>& project
 }
 
 void BackboneCubemapped::bringIn(const std::vector<CubeMapProjector*>& projectors) {
-    const int passes = raster_->passes();
     for (CubeMapProjector* projector : projectors) {
         if (atOnce()) {
             projector->bias = 0.0F;
-        } else if (projector->bias < 0.0F && projector->shown && !projector->tiles.lacks(passes)) {
+        } else if (projector->bias < 0.0F && projector->shown && !projector->tiles.lacks(passes_)) {
             const float step = CubeMapProjector::kNewcomer / kFramesToComeIn;
             projector->bias = std::min(projector->bias - step, 0.0F);
         }
@@ -307,12 +344,11 @@ Status BackboneCubemapped::prepare(const Frame& frame) {
         return status;
     }
     bringIn(used);
-    const int passes = raster_->passes();
     converged_ = true;
     for (CubeMapProjector* projector : used) {
         // One that no survey has looked at yet has not begun.
         converged_ = converged_ && projector->shown && projector->bias >= 0.0F &&
-                     !projector->tiles.lacks(passes);
+                     !projector->tiles.lacks(passes_);
         if (projector->shown) {
             projected_.push_back(projector);
         }

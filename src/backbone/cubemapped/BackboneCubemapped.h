@@ -9,6 +9,7 @@
 #include "backbone/cubemapped/AbstractTexelSource.h"
 #include "backbone/cubemapped/CubeMapOutlines.h"
 #include "backbone/cubemapped/Projection.h"
+#include "backbone/cubemapped/RayTracedTexels.h"
 #include "backbone/cubemapped/SightTest.h"
 #include "backbone/cubemapped/Survey.h"
 
@@ -24,6 +25,7 @@ public:
     static Result<std::unique_ptr<AbstractBackbone>> create(const BackboneContext& context);
 
     void optionsChanged(const Options& before) override;
+    void dropTracer() override;
     Result<CubeMapId> addCubeMap(const glm::vec3& position) override;
     Status removeCubeMap(CubeMapId id) override;
     Status clear() override;
@@ -51,6 +53,8 @@ private:
     void followFaceSize();
     void markAllDirty();
     void cubeMapsChanged();
+    /// Drops what the sources hold for a cube map.
+    void forget(CubeMapId id);
     /// Places a cube map at the camera if one is due.
     Status placeWhereDue(const Frame& frame);
     /// Takes the survey's answers: coverage, and what cube maps are asked for.
@@ -67,6 +71,8 @@ private:
     SceneGeometry sceneGeometry_;
     FaceStore store_;
     std::unique_ptr<AbstractTexelSource> raster_;
+    std::unique_ptr<RayTracedTexels> traced_;
+    int passes_ = 1; ///< of the source in use
     std::optional<Projection> projection_;
     std::optional<Survey> survey_;
     std::optional<SightTest> sight_;

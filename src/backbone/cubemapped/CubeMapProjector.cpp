@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -30,8 +31,15 @@ Result<CubeMapProjector> CubeMapProjector::create(const gl::Functions& gl, CubeM
     return projector;
 }
 
-void CubeMapProjector::setDepthCode(float nearest, float farthest) {
-    depthCode_ = {nearest, std::log2(farthest / nearest)};
+void CubeMapProjector::spanDistances(FaceStore& store, float nearest, float farthest) {
+    // A depth along a face's axis is a distance divided by at most sqrt(3).
+    const float least = nearest / std::numbers::sqrt3_v<float>;
+    if (depthCode_.x > 0.0F && least >= depthCode_.x &&
+        farthest <= depthCode_.x * std::exp2(depthCode_.y)) {
+        return;
+    }
+    dropFaces(store);
+    depthCode_ = {least, std::log2(farthest / least)};
 }
 
 Status CubeMapProjector::keepFace(FaceStore& store, int face) {

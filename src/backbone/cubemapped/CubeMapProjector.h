@@ -36,7 +36,9 @@ public:
 
     /// The depths along a face's axis that its code spans: nearest, log2(farthest / nearest).
     const glm::vec2& depthCode() const { return depthCode_; }
-    void setDepthCode(float nearest, float farthest);
+    /// Makes the code span distances from the centre, world units. What was kept by another code is
+    /// dropped; a code that spans them already stays.
+    void spanDistances(FaceStore& store, float nearest, float farthest);
 
     /// Makes room for a face that holds geometry. Errors: as FaceStore::take().
     Status keepFace(FaceStore& store, int face);
@@ -67,7 +69,7 @@ public:
 private:
     CubeMapId id_{};
     glm::vec3 position_{};
-    glm::vec2 depthCode_{1.0F, 1.0F};
+    glm::vec2 depthCode_{0.0F, 0.0F};
     std::array<int, kFaces> layers_{kNoLayer, kNoLayer, kNoLayer, kNoLayer, kNoLayer, kNoLayer};
 };
 

@@ -1,7 +1,6 @@
 #include "backbone/cubemapped/DeferredShading.h"
 
 #include <array>
-#include <numbers>
 #include <string>
 
 #include "backbone/Estimators.h"
@@ -90,8 +89,7 @@ Result<CubeMapCapture> DeferredShading::capture(const BackboneContext& context,
     context.gl.ClearBufferfv(GL_COLOR, 0, nothing.data());
     capture.accumulated = std::move(*accumulated);
     const DistanceRange range = distanceRange(context.scene, projector.position());
-    // A depth along a face's axis is a distance divided by at most sqrt(3).
-    projector.setDepthCode(range.nearest / std::numbers::sqrt3_v<float>, range.farthest);
+    projector.spanDistances(store, range.nearest, range.farthest);
     const Status status =
         traitsOf(*estimator_).layered
             ? captureLayers(context, geometry, range, projector, store, capture)

@@ -22,6 +22,10 @@ BackboneScreenSpace::create(const BackboneContext& context) {
 
 Status BackboneScreenSpace::chooseEstimator() {
     const Estimator estimator = context_.options.estimator;
+    if (traitsOf(estimator).shader.empty()) {
+        return {StatusCode::InvalidOption,
+                "estimator: this one works for Backbone::Cubemapped alone"};
+    }
     auto shader =
         buildShader(context_.gl, "fullscreen.vert",
                     "screenspace/visibility_" + std::string(traitsOf(estimator).shader) + ".frag");

@@ -22,6 +22,10 @@ const float kSteepest = 0.2; // cosine below which the tolerance grows no more
 // (in log2 of quality) counts for nothing and is not looked up.
 const float kSharpness = 4.0;
 const float kMargin = 2.0;
+// What is known only from nearby counts for less than all that is known from the surface itself.
+const float kGuess = -1000.0;
+// Sum of weights, 2^-(distance in footprints)^2, from which texels are near enough.
+const float kLeastWeight = 0.002;
 const float kUnknown = -1.0e5; // log2 of quality where no cube map knows the surface
 
 struct Projected {
@@ -38,42 +42,76 @@ int faceLayer(int cube, int face) {
     return (uFaceLayers[cube][face >> 1] >> (16 * (face & 1))) & 0xFFFF;
 }
 
-// Visibility of p by the four texels about it that lie on its surface; negative if there is none.
-// p and normal in the face's axes.
-float lookUp(vec3 p, vec3 normal, int layer, vec2 code, float tolerance) {
+// Four texels of a face: the one at `corner` and those right of, above and diagonal to it.
+struct Quad {
+    vec4 visibility;
+    vec4 depth; // along the face's axis; garbage where nothing is known
+    vec4 known; // 1 or 0
+    vec4 s;     // their rays are (s, t, 1) in the face's axes
+    vec4 t;
+};
+
+Quad quadAt(ivec2 corner, int layer, vec2 code) {
+    Quad quad;
     float size = float(uFaceSize);
-    vec2 at = (p.xy / p.z * 0.5 + 0.5) * size - 0.5;
-    vec2 corner = clamp(floor(at), vec2(0.0), vec2(size - 2.0));
-    vec2 f = clamp(at - corner, 0.0, 1.0);
 #ifdef GL_ARB_texture_gather
-    vec3 middle = vec3((corner + 1.0) / size, float(layer));
+    vec3 middle = vec3((vec2(corner) + 1.0) / size, float(layer));
     vec4 codes = textureGather(uCubeDepth, middle).wzxy;
-    vec4 visibilities = textureGather(uCubeVisibility, middle).wzxy;
+    quad.visibility = textureGather(uCubeVisibility, middle).wzxy;
 #else
-    ivec3 first = ivec3(ivec2(corner), layer);
-    vec4 codes = vec4(texelFetch(uCubeDepth, first, 0).r,
-                      texelFetch(uCubeDepth, first + ivec3(1, 0, 0), 0).r,
-                      texelFetch(uCubeDepth, first + ivec3(0, 1, 0), 0).r,
-                      texelFetch(uCubeDepth, first + ivec3(1, 1, 0), 0).r);
-    vec4 visibilities = vec4(texelFetch(uCubeVisibility, first, 0).r,
-                             texelFetch(uCubeVisibility, first + ivec3(1, 0, 0), 0).r,
-                             texelFetch(uCubeVisibility, first + ivec3(0, 1, 0), 0).r,
-                             texelFetch(uCubeVisibility, first + ivec3(1, 1, 0), 0).r);
+    ivec3 at = ivec3(corner, layer);
+    vec4 codes = vec4(texelFetch(uCubeDepth, at, 0).r,
+                      texelFetch(uCubeDepth, at + ivec3(1, 0, 0), 0).r,
+                      texelFetch(uCubeDepth, at + ivec3(0, 1, 0), 0).r,
+                      texelFetch(uCubeDepth, at + ivec3(1, 1, 0), 0).r);
+    quad.visibility = vec4(texelFetch(uCubeVisibility, at, 0).r,
+                           texelFetch(uCubeVisibility, at + ivec3(1, 0, 0), 0).r,
+                           texelFetch(uCubeVisibility, at + ivec3(0, 1, 0), 0).r,
+                           texelFetch(uCubeVisibility, at + ivec3(1, 1, 0), 0).r);
 #endif
-    vec4 depths = code.x * exp2((codes * 65535.0 - 1.0) / 65534.0 * code.y);
-    // Texel rays are (s, t, 1) in the face's axes: their distance from the tangent plane is affine.
-    vec2 s = (corner + 0.5) * (2.0 / size) - 1.0;
-    float step = 2.0 / size;
-    float slope = dot(normal, vec3(s, 1.0));
-    vec4 slopes = vec4(slope, slope + normal.x * step, slope + normal.y * step,
-                       slope + (normal.x + normal.y) * step);
-    vec4 off = abs(depths * slopes - dot(normal, p));
+    quad.known = vec4(greaterThan(codes, vec4(0.0)));
+    quad.depth = code.x * exp2((codes * 65535.0 - 1.0) / 65534.0 * code.y);
+    vec2 ray = (vec2(corner) + 0.5) * (2.0 / size) - 1.0;
+    quad.s = ray.x + vec4(0.0, 2.0, 0.0, 2.0) / size;
+    quad.t = ray.y + vec4(0.0, 0.0, 2.0, 2.0) / size;
+    return quad;
+}
+
+// Visibility of p by the four texels about it that lie on its surface; negative if there is none.
+// All in the face's axes; `at` in texels from the middle of the first.
+float lookUp(vec3 p, vec3 normal, vec2 at, int layer, vec2 code, float tolerance) {
+    vec2 corner = clamp(floor(at), vec2(0.0), vec2(float(uFaceSize - 2)));
+    vec2 f = clamp(at - corner, 0.0, 1.0);
+    Quad quad = quadAt(ivec2(corner), layer, code);
+    // A ray's distance from the tangent plane is affine in s and t.
+    vec4 off = abs(quad.depth * (normal.x * quad.s + normal.y * quad.t + normal.z) - dot(normal, p));
     // Never quite zero: a lone texel in the far corner is better than none.
     vec4 weights = vec4((1.0 - f.x) * (1.0 - f.y), f.x * (1.0 - f.y), (1.0 - f.x) * f.y, f.x * f.y) +
                    1.0e-3;
-    weights *= vec4(lessThanEqual(off, vec4(tolerance))) * vec4(greaterThan(codes, vec4(0.0)));
+    weights *= vec4(lessThanEqual(off, vec4(tolerance))) * quad.known;
     float sum = dot(weights, vec4(1.0));
-    return sum > 0.0 ? dot(weights, visibilities) / sum : -1.0;
+    return sum > 0.0 ? dot(weights, quad.visibility) / sum : -1.0;
+}
+
+// The same where none of the four is on the surface, as at edges that are finer than a texel: by the
+// sixteen about it, whichever are near in space.
+float lookAbout(vec3 p, vec2 at, int layer, vec2 code, float footprint) {
+    ivec2 first = ivec2(floor(at)) - 1;
+    float sum = 0.0;
+    float weights = 0.0;
+    float scale = -1.0 / (footprint * footprint);
+    for (int i = 0; i < 4; ++i) {
+        ivec2 corner = clamp(first + 2 * ivec2(i & 1, i >> 1), ivec2(0), ivec2(uFaceSize - 2));
+        Quad quad = quadAt(corner, layer, code);
+        vec4 x = quad.depth * quad.s - p.x;
+        vec4 y = quad.depth * quad.t - p.y;
+        vec4 z = quad.depth - p.z;
+        vec4 distance2 = x * x + y * y + z * z;
+        vec4 weight = exp2(max(scale * distance2, -100.0)) * quad.known;
+        sum += dot(weight, quad.visibility);
+        weights += dot(weight, vec4(1.0));
+    }
+    return weights > kLeastWeight ? sum / weights : -1.0;
 }
 
 // Adds what one cube map knows of a point.
@@ -101,15 +139,21 @@ void project(int cube, vec3 eyeTo, vec3 normal, float resolution, inout Projecte
     float footprint = 2.0 * depth / float(uFaceSize);
     float tolerance = kPlaneFootprints * footprint / max(cosDelta, kSteepest) + resolution;
     vec3 inFace = toFace(face, p);
-    float visibility =
-        lookUp(inFace, toFace(face, normal), layer, uDepthCode[cube].xy, tolerance);
+    vec2 uv = inFace.xy / inFace.z * 0.5 + 0.5;
+    vec2 at = uv * float(uFaceSize) - 0.5;
+    vec2 code = uDepthCode[cube].xy;
+    float visibility = lookUp(inFace, toFace(face, normal), at, layer, code, tolerance);
     if (visibility < 0.0) {
-        return;
+        visibility = lookAbout(inFace, at, layer, code, footprint);
+        quality += kGuess;
+        if (visibility < 0.0 || quality < best.quality - kMargin) {
+            return;
+        }
     }
     if (quality > best.quality) {
         float fade = exp2(max(kSharpness * (best.quality - quality), -100.0));
         best = Projected(best.sum * fade + visibility, best.weights * fade + 1.0, quality, face,
-                         inFace.xy / inFace.z * 0.5 + 0.5);
+                         uv);
     } else {
         float weight = exp2(kSharpness * (quality - best.quality));
         best.sum += weight * visibility;

@@ -23,5 +23,5 @@ void main() {
     for (int cube = 0; cube < uCubes; ++cube) {
         project(cube, eyeTo, uEyeToWorld * surface.normal, depthResolution(surface.t), best);
     }
-    outSample = vec4(eyeTo, best.weights > 0.0 ? 2.0 : 1.0);
+    outSample = vec4(eyeTo, best.quality > 0.5 * kGuess ? 2.0 : 1.0);
 }

@@ -75,7 +75,7 @@ struct CubeMapOptions {
     bool place = true;      ///< place new cube maps at the camera where coverage falls short
     float coverage = 0.75F; ///< share of shaded pixels below which one is placed, 0 to 1
     ProjectionMethod projection = ProjectionMethod::SinglePass;
-    bool outlines = false;  ///< draw a small wire cube where each cube map stands
+    bool outlines = false; ///< draw a small wire cube where each cube map stands
 };
 
 /// The edge-aware blur of the projected ambient occlusion.

@@ -30,7 +30,7 @@ struct Statistics {
     std::uint64_t coverageFrame = 0; ///< the frame that `coverage` was counted in
     int cubeMapsProjected = 0;       ///< in the latest frame
     int cubeMapsBuilt = 0;           ///< in the latest frame, placed or rebuilt
-    bool converged = true;      ///< nothing is left to compute for what the latest frame shows
+    bool converged = true;           ///< nothing is left to compute for what the latest frame shows
     double frameGpuMs = -1.0;   ///< GPU time of aolib's passes in an earlier frame; -1 until known
     std::size_t bytesKept = 0;  ///< GPU memory of all cube maps
     std::size_t bytesFrame = 0; ///< GPU memory of the per-frame targets

@@ -134,7 +134,8 @@ Statistics AbstractBackbone::statistics() {
     Statistics statistics;
     statistics.frame = frame_;
     statistics.frameGpuMs = timer_.milliseconds();
-    statistics.bytesFrame = host_.bytes() + geometry_.bytes() + (visibility_ ? visibility_.bytes() : 0);
+    statistics.bytesFrame =
+        host_.bytes() + geometry_.bytes() + (visibility_ ? visibility_.bytes() : 0);
     addStatistics(statistics);
     return statistics;
 }

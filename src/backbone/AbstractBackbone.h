@@ -53,8 +53,8 @@ protected:
     /// Whether shadeDirectly() can darken the picture in one pass; buffers are then not needed.
     virtual bool shadesDirectly() const { return false; }
     virtual void shadeDirectly(const Frame& /*frame*/) {}
-    /// Finds each pixel's value: texture 0 of the target holds its weighted sum, log2 of its quality
-    /// (below kUnshaded nothing is known), the code of a cube's face, and the weight.
+    /// Finds each pixel's value: texture 0 of the target holds its weighted sum, log2 of its
+    /// quality (below kUnshaded nothing is known), the code of a cube's face, and the weight.
     virtual Result<const gl::RenderToTexture2D*> computeVisibility(const Frame& frame) = 0;
     /// Whether its values are noisy, so that they must be blurred.
     virtual bool noisy() const { return true; }

@@ -56,8 +56,7 @@ void setEstimatorUniforms(gl::GLSLShader& shader, const Options& options, float 
 bool sameEstimate(const Options& a, const Options& b) {
     return a.estimator == b.estimator && a.falloff == b.falloff &&
            a.horizonSplit == b.horizonSplit && a.layeredIntervals == b.layeredIntervals &&
-           a.rayTraced == b.rayTraced &&
-           a.cubeMaps.faceSize == b.cubeMaps.faceSize;
+           a.rayTraced == b.rayTraced && a.cubeMaps.faceSize == b.cubeMaps.faceSize;
 }
 
 } // namespace aolib

@@ -31,7 +31,8 @@ public:
     void begin(int layer) const;
     /// Makes one layer a colour target of the framebuffer that is bound.
     void attach(int location, int layer) const;
-    /// Replaces part of a layer; the data has the format's own channels and type, rows close-packed.
+    /// Replaces part of a layer; the data has the format's own channels and type, rows
+    /// close-packed.
     void upload(int layer, const glm::ivec2& at, const glm::ivec2& size, const void* data) const;
     /// Copies all layers of a stack that has no more layers, and the same size and format.
     void copyFrom(const TextureStack& other) const;

@@ -93,11 +93,10 @@ Method fewRays(int rays) {
 } // namespace
 
 const std::vector<Family>& families() {
-    static const std::vector<Family> all{Family::LayeredCube,     Family::LayeredCubeTen,
-                                         Family::RayTracedCube,
-                                         Family::HorizonCube,     Family::HorizonScreen,
-                                         Family::LayeredScreen,   Family::LayeredScreenRaw,
-                                         Family::SurfaceElements, Family::FewRays};
+    static const std::vector<Family> all{
+        Family::LayeredCube,      Family::LayeredCubeTen,  Family::RayTracedCube,
+        Family::HorizonCube,      Family::HorizonScreen,   Family::LayeredScreen,
+        Family::LayeredScreenRaw, Family::SurfaceElements, Family::FewRays};
     return all;
 }
 

@@ -23,7 +23,8 @@ public:
     /// Computes all that is asked for of one cube map before it returns.
     virtual Status complete(CubeMapProjector& projector) = 0;
     /// Goes on with these, the first ones first.
-    /// @param milliseconds  GPU time that it may take, as far as can be told beforehand; one unit of
+    /// @param milliseconds  GPU time that it may take, as far as can be told beforehand; one unit
+    /// of
     ///                      work is done in any case.
     virtual Status advance(const std::vector<CubeMapProjector*>& projectors,
                            double milliseconds) = 0;

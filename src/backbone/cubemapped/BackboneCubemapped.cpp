@@ -70,9 +70,8 @@ Result<AbstractTexelSource*> BackboneCubemapped::source() {
         return static_cast<AbstractTexelSource*>(traced_.get());
     }
     if (!raster_) {
-        auto raster = RasterTexels::create(context_, sceneGeometry_, store_, [this] {
-            return radius();
-        });
+        auto raster =
+            RasterTexels::create(context_, sceneGeometry_, store_, [this] { return radius(); });
         if (!raster) {
             return raster.status();
         }
@@ -206,8 +205,8 @@ Status BackboneCubemapped::followScene() {
     if (context_.options.estimator == Estimator::RayTraced) {
         sceneGeometry_.forget(changes); // rays need no triangles on the GPU
     } else if (Status status = sceneGeometry_.update(context_.gl, context_.scene, changes,
-                                              traitsOf(context_.options.estimator).layered);
-        !status) {
+                                                     traitsOf(context_.options.estimator).layered);
+               !status) {
         markAllDirty(); // the changes are taken and will not come again
         return status;
     }

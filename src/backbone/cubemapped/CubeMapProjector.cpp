@@ -99,8 +99,7 @@ CubeMapImage CubeMapProjector::read(const gl::Functions& gl, const FaceStore& st
                 const std::size_t y = i / rows;
                 float value = face[i];
                 if (which == 1) {
-                    const glm::vec2 uv =
-                        (glm::vec2(x, y) + 0.5F) / static_cast<float>(size);
+                    const glm::vec2 uv = (glm::vec2(x, y) + 0.5F) / static_cast<float>(size);
                     value = value > 0.0F
                                 ? shared::decodeDistance(value, depthCode_.x, depthCode_.y) *
                                       glm::length(shared::faceDirection(f, uv))

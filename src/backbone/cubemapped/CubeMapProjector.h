@@ -60,8 +60,8 @@ public:
     bool dirty = true;
     /// Each tile that was asked for has had its first pass: it may be shown.
     bool shown = false;
-    float bias = kNewcomer; ///< added to log2 of its quality; 0 once it has come in
-    int captured = 0;       ///< solid intervals captured along a ray, at most
+    float bias = kNewcomer;       ///< added to log2 of its quality; 0 once it has come in
+    int captured = 0;             ///< solid intervals captured along a ray, at most
     std::size_t captureBytes = 0; ///< GPU memory that the last build took and gave back
     double buildMs = 0.0;
     gl::GpuTimer timer;

@@ -44,15 +44,14 @@ Status DeferredShading::chooseEstimator(const BackboneContext& context) {
         return {};
     }
     const EstimatorTraits traits = traitsOf(estimator);
-    auto visibility =
-        buildShader(context.gl, "fullscreen.vert",
-                    "cubemap/visibility_" + std::string(traits.shader) + ".frag");
+    auto visibility = buildShader(context.gl, "fullscreen.vert",
+                                  "cubemap/visibility_" + std::string(traits.shader) + ".frag");
     if (!visibility) {
         return visibility.status();
     }
-    auto resolve = buildShader(context.gl, "fullscreen.vert",
-                               traits.layered ? "cubemap/smooth_texels.frag"
-                                              : "cubemap/resolve_nearest.frag");
+    auto resolve =
+        buildShader(context.gl, "fullscreen.vert",
+                    traits.layered ? "cubemap/smooth_texels.frag" : "cubemap/resolve_nearest.frag");
     if (!resolve) {
         return resolve.status();
     }
@@ -90,10 +89,9 @@ Result<CubeMapCapture> DeferredShading::capture(const BackboneContext& context,
     capture.accumulated = std::move(*accumulated);
     const DistanceRange range = distanceRange(context.scene, projector.position());
     projector.spanDistances(store, range.nearest, range.farthest);
-    const Status status =
-        traitsOf(*estimator_).layered
-            ? captureLayers(context, geometry, range, projector, store, capture)
-            : captureNearest(context, geometry, range, projector, store, capture);
+    const Status status = traitsOf(*estimator_).layered
+                              ? captureLayers(context, geometry, range, projector, store, capture)
+                              : captureNearest(context, geometry, range, projector, store, capture);
     if (!status) {
         return status;
     }
@@ -129,10 +127,9 @@ Status DeferredShading::captureNearest(const BackboneContext& context,
     return projector.keepFaces(store, drawn);
 }
 
-Status DeferredShading::captureLayers(const BackboneContext& context,
-                                      const SceneGeometry& geometry, const DistanceRange& range,
-                                      CubeMapProjector& projector, FaceStore& store,
-                                      CubeMapCapture& capture) {
+Status DeferredShading::captureLayers(const BackboneContext& context, const SceneGeometry& geometry,
+                                      const DistanceRange& range, CubeMapProjector& projector,
+                                      FaceStore& store, CubeMapCapture& capture) {
     auto layers = peeling_.capture(context, geometry, projector, range,
                                    context.options.layeredIntervals.layers);
     if (!layers) {

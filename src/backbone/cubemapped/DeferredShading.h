@@ -7,8 +7,8 @@
 
 namespace aolib {
 
-/// A captured cube map on its way: what its estimator reads, and what it has found so far. Lives only
-/// as long as there is something to compute.
+/// A captured cube map on its way: what its estimator reads, and what it has found so far. Lives
+/// only as long as there is something to compute.
 struct CubeMapCapture {
     gl::RenderToTexture2D nearest;              ///< normal, distance; or ...
     std::optional<LayerPeeling::Layers> layers; ///< ... layers of solid intervals
@@ -43,11 +43,11 @@ public:
 private:
     Status chooseEstimator(const BackboneContext& context);
     Status captureNearest(const BackboneContext& context, const SceneGeometry& geometry,
-                          const DistanceRange& range, CubeMapProjector& projector,
-                          FaceStore& store, CubeMapCapture& capture);
+                          const DistanceRange& range, CubeMapProjector& projector, FaceStore& store,
+                          CubeMapCapture& capture);
     Status captureLayers(const BackboneContext& context, const SceneGeometry& geometry,
-                         const DistanceRange& range, CubeMapProjector& projector,
-                         FaceStore& store, CubeMapCapture& capture);
+                         const DistanceRange& range, CubeMapProjector& projector, FaceStore& store,
+                         CubeMapCapture& capture);
     static void bind(gl::GLSLShader& shader, const CubeMapCapture& capture, int faceSize);
 
     gl::GLSLShader capture_;

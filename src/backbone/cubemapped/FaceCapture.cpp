@@ -76,7 +76,8 @@ std::array<bool, kFaces> FaceCapture::draw(gl::GLSLShader& shader) const {
     gl.Enable(GL_DEPTH_TEST);
     std::array<bool, kFaces> drawn{};
     for (int face = 0; face < kFaces; ++face) {
-        gl.Viewport(face * projector_.tiles.faceSize(), 0, projector_.tiles.faceSize(), projector_.tiles.faceSize());
+        gl.Viewport(face * projector_.tiles.faceSize(), 0, projector_.tiles.faceSize(),
+                    projector_.tiles.faceSize());
         drawn[static_cast<std::size_t>(face)] = drawFace(shader, face);
     }
     gl.Disable(GL_DEPTH_TEST);

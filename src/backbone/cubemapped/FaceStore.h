@@ -10,9 +10,9 @@
 
 namespace aolib {
 
-/// The texels that cube maps keep, 3 bytes each: a layer of 8-bit visibility and one of 16-bit coded
-/// depth (shaders/shared/distance_code.h) for every face that holds geometry, none for the others.
-/// All lie in two array textures, so that one pass reads them all.
+/// The texels that cube maps keep, 3 bytes each: a layer of 8-bit visibility and one of 16-bit
+/// coded depth (shaders/shared/distance_code.h) for every face that holds geometry, none for the
+/// others. All lie in two array textures, so that one pass reads them all.
 class FaceStore {
 public:
     explicit FaceStore(const gl::Functions& gl) : gl_(&gl) {}

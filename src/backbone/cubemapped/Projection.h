@@ -9,7 +9,8 @@
 
 namespace aolib {
 
-/// Projects cube maps onto the host's view (thesis 4.4): best quality wins, close calls are blended.
+/// Projects cube maps onto the host's view (thesis 4.4): best quality wins, close calls are
+/// blended.
 class Projection {
 public:
     /// Errors: ShaderError.
@@ -33,7 +34,8 @@ public:
     std::size_t bytes() const;
 
 private:
-    Status prepare(const BackboneContext& context, const Frame& frame, gl::RenderToTexture2D& target);
+    Status prepare(const BackboneContext& context, const Frame& frame,
+                   gl::RenderToTexture2D& target);
 
     gl::GLSLShader project_;
     gl::GLSLShader shade_;

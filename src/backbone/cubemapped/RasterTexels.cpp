@@ -17,9 +17,10 @@ constexpr int kMostUnits = 4096;
 
 } // namespace
 
-Result<std::unique_ptr<AbstractTexelSource>>
-RasterTexels::create(const BackboneContext& context, const SceneGeometry& geometry,
-                     FaceStore& store, std::function<float()> radius) {
+Result<std::unique_ptr<AbstractTexelSource>> RasterTexels::create(const BackboneContext& context,
+                                                                  const SceneGeometry& geometry,
+                                                                  FaceStore& store,
+                                                                  std::function<float()> radius) {
     std::unique_ptr<RasterTexels> texels(
         new RasterTexels(context, geometry, store, std::move(radius)));
     auto shading = DeferredShading::create(context);
@@ -126,14 +127,15 @@ Status RasterTexels::advance(const std::vector<CubeMapProjector*>& projectors,
         }
         units -= advanceTiles(*projector, work, units);
         resolveTouched(*projector, work);
-        projector->shown = projector->shown ||
-                           projector->tiles.fewestPasses() >= std::min(kFirstPasses, passes());
+        projector->shown =
+            projector->shown || projector->tiles.fewestPasses() >= std::min(kFirstPasses, passes());
     }
     if (timed && units < allowed) {
         timer_.end();
         unitsTimed_ = allowed - units;
     }
-    std::erase_if(captures_, [](const auto& entry) { return entry.second.idleFrames > kIdleFrames; });
+    std::erase_if(captures_,
+                  [](const auto& entry) { return entry.second.idleFrames > kIdleFrames; });
     if (worked != nullptr) {
         worked->buildMs +=
             std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)

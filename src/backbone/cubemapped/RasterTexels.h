@@ -10,14 +10,15 @@
 
 namespace aolib {
 
-/// Texels by rasterisation: the scene is captured on a cube map's faces, and a shader looks about in
-/// the capture. The capture is given back once all that is asked for is computed.
+/// Texels by rasterisation: the scene is captured on a cube map's faces, and a shader looks about
+/// in the capture. The capture is given back once all that is asked for is computed.
 class RasterTexels final : public AbstractTexelSource {
 public:
     /// Errors: ShaderError. @param radius  asks for the reach of occluders, world units.
-    static Result<std::unique_ptr<AbstractTexelSource>>
-    create(const BackboneContext& context, const SceneGeometry& geometry, FaceStore& store,
-           std::function<float()> radius);
+    static Result<std::unique_ptr<AbstractTexelSource>> create(const BackboneContext& context,
+                                                               const SceneGeometry& geometry,
+                                                               FaceStore& store,
+                                                               std::function<float()> radius);
 
     int passes() const override { return DeferredShading::passes(context_.options); }
     Status complete(CubeMapProjector& projector) override;
@@ -55,8 +56,8 @@ private:
     std::map<CubeMapId, Work> captures_;
 
     gl::GpuTimer timer_;
-    int unitsTimed_ = 0;      ///< in the frame that the timer measures
-    double unitMs_ = -1.0;    ///< GPU time of a unit, smoothed; -1 until known
+    int unitsTimed_ = 0;   ///< in the frame that the timer measures
+    double unitMs_ = -1.0; ///< GPU time of a unit, smoothed; -1 until known
     int lastQuota_ = 0;
 };
 

@@ -141,19 +141,19 @@ void RayTracedTexels::request(const std::vector<CubeMapProjector*>& projectors) 
     for (const Wanted& one : wanted) {
         const TileProgress::Region region = one.projector->tiles.region(one.tile);
         const int before = raysAfter(one.passes);
-        queue.push_back({.key = keyOf(one.projector->id(), one.tile,
-                                      workOf(one.projector->id()).generation),
-                         .centre = one.projector->position(),
-                         .faceSize = one.projector->tiles.faceSize(),
-                         .face = region.face,
-                         .x = region.x,
-                         .y = region.y,
-                         .width = region.width,
-                         .height = region.height,
-                         .firstRay = before,
-                         .rays = raysAfter(one.passes + 1) - before,
-                         .radius = radius_,
-                         .falloff = context_.options.falloff});
+        queue.push_back(
+            {.key = keyOf(one.projector->id(), one.tile, workOf(one.projector->id()).generation),
+             .centre = one.projector->position(),
+             .faceSize = one.projector->tiles.faceSize(),
+             .face = region.face,
+             .x = region.x,
+             .y = region.y,
+             .width = region.width,
+             .height = region.height,
+             .firstRay = before,
+             .rays = raysAfter(one.passes + 1) - before,
+             .radius = radius_,
+             .falloff = context_.options.falloff});
     }
     queued_ = queue.size();
     tracer_.request(std::move(queue));

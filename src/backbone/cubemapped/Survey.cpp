@@ -12,8 +12,8 @@ namespace aolib {
 
 namespace {
 
-/// Where a frame's samples lie in their cells: the R2 sequence (Roberts 2018), which visits all of a
-/// cell over the frames.
+/// Where a frame's samples lie in their cells: the R2 sequence (Roberts 2018), which visits all of
+/// a cell over the frames.
 glm::vec2 offsetOf(std::uint64_t frame) {
     const double n = static_cast<double>(frame % 4096);
     return {std::fmod(0.5 + 0.7548776662466927 * n, 1.0),
@@ -39,8 +39,8 @@ Result<Survey> Survey::create(const BackboneContext& context) {
     survey.shader_ = std::move(*shader);
     survey.target_ = std::move(*target);
     for (Request& request : survey.requests_) {
-        auto readback = gl::PixelReadback::create(context.gl, survey.target_.bytes(),
-                                                  "aolib/survey/readback");
+        auto readback =
+            gl::PixelReadback::create(context.gl, survey.target_.bytes(), "aolib/survey/readback");
         if (!readback) {
             return readback.status();
         }
@@ -81,9 +81,9 @@ Survey::Answer Survey::evaluate(const Request& request, std::span<const std::uin
             shaded += sample.w > 1.5F ? 1 : 0;
         }
     }
-    answer.shaded = answer.points.empty() ? 1.0F
-                                          : static_cast<float>(shaded) /
-                                                static_cast<float>(answer.points.size());
+    answer.shaded = answer.points.empty()
+                        ? 1.0F
+                        : static_cast<float>(shaded) / static_cast<float>(answer.points.size());
     return answer;
 }
 

@@ -24,8 +24,8 @@ public:
 
     struct Answer {
         std::uint64_t frame = 0;
-        float shaded = 1.0F; ///< share of the surfaces; 1 when there are none
-        glm::dvec3 eye{0.0}; ///< of that frame, world units
+        float shaded = 1.0F;           ///< share of the surfaces; 1 when there are none
+        glm::dvec3 eye{0.0};           ///< of that frame, world units
         std::vector<glm::vec3> points; ///< of the surfaces, relative to the eye, world axes
     };
     /// The newest answer that has arrived since the last call, if any.

@@ -212,7 +212,8 @@ protected:
                 const CubeMaps cubesFailed = cubeMaps(ao);
                 const Status again = step.call(ao);
                 EXPECT_TRUE(again.ok()) << where << ", again: " << again.message();
-                // Each as it was, as it will be, or (after a change of face size) empty; none half done.
+                // Each as it was, as it will be, or (after a change of face size) empty; none half
+                // done.
                 const CubeMaps cubesAfter = cubeMaps(ao);
                 for (const auto& [id, content] : cubesFailed) {
                     const auto was = cubesBefore.find(id);

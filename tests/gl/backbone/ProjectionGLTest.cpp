@@ -84,6 +84,25 @@ TEST_P(ProjectionGLTest, OrderOfPlacementDoesNotMatter) {
     EXPECT_NE(forward, render({a, a, a}));
 }
 
+TEST_P(ProjectionGLTest, BothMethodsGiveTheSamePixels) {
+    const auto render = [&](ProjectionMethod method) {
+        Options o = options();
+        o.cubeMaps.projection = method;
+        SmallHost host(gl, loader, courtyard(), o);
+        for (const glm::vec3 position :
+             {glm::vec3(1, 2, 3), glm::vec3(-4, 2, 0), glm::vec3(0, 5, -3)}) {
+            EXPECT_TRUE(host.ao().addCubeMap(position).ok());
+        }
+        host.lookAt({1, 3, 4}, {0, 0, -4});
+        EXPECT_TRUE(host.frame().ok());
+        return std::pair(host.framebuffer().readColour()->pixels, host.visibility().visibility);
+    };
+    const auto [single, singleW] = render(ProjectionMethod::SinglePass);
+    const auto [pingPong, pingPongW] = render(ProjectionMethod::PingPong);
+    EXPECT_EQ(single, pingPong) << "as the host sees them";
+    EXPECT_EQ(singleW, pingPongW) << "as they are read back";
+}
+
 TEST_P(ProjectionGLTest, OnlyTheNearestAreProjected) {
     Options o = options();
     o.cubeMaps.nearest = 2;

@@ -1,0 +1,61 @@
+#include "backbone/cubemapped/TileProgress.h"
+
+#include <set>
+
+#include <gtest/gtest.h>
+
+namespace aolib {
+namespace {
+
+TEST(TileProgressTest, TilesCoverEveryTexelOnce) {
+    for (const int size : {16, 32, 100, 512}) {
+        const TileProgress tiles(size);
+        std::set<std::tuple<int, int, int>> texels;
+        for (int tile = 0; tile < tiles.count(); ++tile) {
+            const TileProgress::Region region = tiles.region(tile);
+            for (int y = 0; y < region.height; ++y) {
+                for (int x = 0; x < region.width; ++x) {
+                    EXPECT_TRUE(texels.insert({region.face, region.x + x, region.y + y}).second);
+                }
+            }
+        }
+        EXPECT_EQ(texels.size(), static_cast<std::size_t>(kFaces * size * size));
+    }
+}
+
+TEST(TileProgressTest, OnlyWhatIsAskedForIsUrgent) {
+    TileProgress tiles(128);
+    EXPECT_EQ(tiles.fewestPasses(), -1);
+    EXPECT_FALSE(tiles.lacks(1)) << "nothing is asked for, nothing is lacking";
+    tiles.ask(2, {48.0F, 80.0F});
+    ASSERT_EQ(tiles.mostUrgent(4).size(), 1U) << "the middle of a tile";
+    const TileProgress::Region region = tiles.region(tiles.mostUrgent(4)[0]);
+    EXPECT_EQ(region.face, 2);
+    EXPECT_EQ(region.x, 32);
+    EXPECT_EQ(region.y, 64);
+    tiles.ask(2, {65.0F, 80.0F});
+    EXPECT_EQ(tiles.mostUrgent(4).size(), 2U)
+        << "beside a border, both tiles; one is asked already";
+    tiles.ask(5, {0.0F, 128.0F});
+    EXPECT_EQ(tiles.mostUrgent(4).size(), 3U) << "a face's corner is no overrun";
+}
+
+TEST(TileProgressTest, ThePoorestComeFirst) {
+    TileProgress tiles(64);
+    tiles.askAll();
+    EXPECT_EQ(tiles.mostUrgent(2).size(), static_cast<std::size_t>(tiles.count()));
+    for (int tile = 0; tile < tiles.count(); ++tile) {
+        tiles.setPasses(tile, tile == 3 ? 0 : 1);
+    }
+    EXPECT_EQ(tiles.mostUrgent(2), std::vector<int>{3});
+    tiles.setPasses(3, 1);
+    EXPECT_TRUE(tiles.lacks(2));
+    EXPECT_FALSE(tiles.lacks(1));
+    EXPECT_TRUE(tiles.mostUrgent(1).empty());
+    tiles.restart();
+    EXPECT_EQ(tiles.fewestPasses(), 0);
+    EXPECT_TRUE(tiles.asked(0)) << "what was asked for stays";
+}
+
+} // namespace
+} // namespace aolib

@@ -95,6 +95,7 @@ Status RayTracedTexels::complete(CubeMapProjector& projector) {
             return status;
         }
     }
+    projector.shown = true;
     return {};
 }
 

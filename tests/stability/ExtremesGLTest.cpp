@@ -1,4 +1,7 @@
 // Sizes at the ends of what is allowed: viewports and radii.
+#include <array>
+#include <cstdio>
+
 #include "Figures.h"
 #include "HardScenes.h"
 
@@ -7,7 +10,7 @@ namespace {
 
 class ExtremesGLTest : public StabilityTest {
 protected:
-    const std::vector<glm::vec3> cubeMaps_{{0, 3, 7}, {6, 2, 0}};
+    const std::vector<glm::vec3> cubeMaps_{{0.1F, 3, 7}, {6, 2.1F, 0.3F}};
 };
 
 TEST_P(ExtremesGLTest, ViewportsOfOnePixelAcross) {
@@ -22,6 +25,7 @@ TEST_P(ExtremesGLTest, ViewportsOfOnePixelAcross) {
         const Shot shot = shoot(court(), options(2.0F), camera, cubeMaps_, size.width, size.height);
         const Error error = errorOf(shot, court(), options(2.0F), 256);
         report(std::to_string(size.width) + " x " + std::to_string(size.height), error.rmse);
+        EXPECT_LE(error.rmse, forEach(0.11, 0.04, 0.04));
     }
 }
 
@@ -32,9 +36,17 @@ TEST_P(ExtremesGLTest, RadiiFromFarBelowATexelToFarBeyondTheScene) {
             o.falloff = falloff;
             const Shot shot = shoot(court(), o, courtCamera(), cubeMaps_);
             const Error error = errorOf(shot, court(), o);
-            char text[64];
-            std::snprintf(text, sizeof text, "radius %g falloff %d", double{radius}, int(falloff));
-            report(text, error.rmse);
+            std::array<char, 64> text{};
+            std::snprintf(text.data(), text.size(), "radius %g %s", double{radius},
+                          falloff == Falloff::Step ? "step" : "exp");
+            report(text.data(), error.rmse);
+            // Most is lost where the radius is a texel or less; the thesis's estimator also takes
+            // what is far behind for near.
+            EXPECT_LE(error.rmse, radius < 1.0F ? 0.045 : forEach(0.31, 0.05, 0.04)) << radius;
+            if (radius < 1e-8F) {
+                EXPECT_LE(error.mean, 0.0) << "nothing is that near: it may be darker by noise";
+                EXPECT_GE(error.mean, -1e-3);
+            }
         }
     }
 }

@@ -1,0 +1,260 @@
+// From frame to frame: what stands still stays as it is, and what moves does not flicker.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "Figures.h"
+#include "HardScenes.h"
+#include "content/SceneSource.h"
+#include "reference/VisibilityTracer.h"
+
+namespace aolib {
+namespace {
+
+/// Points of a scene, followed through the frames of a camera path: W as it is shown, and truth at
+/// the same pixel. The truth takes the same rays every time, so that its changes have no noise.
+class FollowedPoints {
+public:
+    FollowedPoints(const RayScene& scene, const VisibilityTracer& tracer)
+        : scene_(scene), tracer_(tracer) {}
+
+    /// Follows what these pixels see: every `step`th.
+    void choose(const Shot& shot, int step) {
+        for (int y = step / 2; y < shot.picture.height; y += step) {
+            for (int x = step / 2; x < shot.picture.width; x += step) {
+                if (const auto hit = hitAt(shot, {x, y})) {
+                    points_.push_back(hit->position);
+                }
+            }
+        }
+        shown_.assign(points_.size(), -1.0);
+        truth_.assign(points_.size(), 0.0);
+    }
+
+    /// Takes a frame; the changes since the last that truth does not show are kept.
+    void take(const Shot& shot) {
+        const glm::dmat4 toClip = glm::dmat4(shot.projection) * glm::dmat4(shot.view);
+        const glm::dvec2 size(shot.picture.width, shot.picture.height);
+        for (std::size_t i = 0; i < points_.size(); ++i) {
+            const glm::dvec4 clip = toClip * glm::dvec4(points_[i], 1.0);
+            const glm::dvec2 at = (glm::dvec2(clip) / clip.w * 0.5 + 0.5) * size;
+            const bool inside =
+                clip.w > 0.0 && at.x >= 0.0 && at.y >= 0.0 && at.x < size.x && at.y < size.y;
+            const glm::ivec2 pixel(at);
+            const auto hit = inside ? hitAt(shot, pixel) : std::nullopt;
+            // Twice a pixel's size: else something else is in front.
+            const double near = 4.0 * clip.w / (double{shot.projection[1][1]} * size.y);
+            if (!hit || glm::distance(hit->position, points_[i]) > near) {
+                shown_[i] = -1.0;
+                continue;
+            }
+            const double shown{
+                shot.picture
+                    .visibility[static_cast<std::size_t>(pixel.y * shot.picture.width + pixel.x)]};
+            const double truth =
+                tracer_.estimate({hit->position, hit->normal, hit->clearance}, i).visibility;
+            if (shown_[i] >= 0.0 && shown >= 0.0) {
+                changes_.push_back(std::abs(shown - shown_[i] - (truth - truth_[i])));
+            }
+            shown_[i] = shown;
+            truth_[i] = truth;
+        }
+    }
+
+    std::vector<double>& changes() { return changes_; }
+
+private:
+    std::optional<Hit> hitAt(const Shot& shot, const glm::ivec2& pixel) const {
+        const glm::dmat4 view(shot.view);
+        const glm::dvec2 size(shot.picture.width, shot.picture.height);
+        const glm::dvec2 ndc = 2.0 * (glm::dvec2(pixel) + 0.5) / size - 1.0;
+        const glm::dvec4 point =
+            glm::inverse(glm::dmat4(shot.projection) * view) * glm::dvec4(ndc, 0.0, 1.0);
+        const glm::dvec3 eye(glm::inverse(view)[3]);
+        const glm::dvec3 ray = glm::dvec3(point) / point.w - eye;
+        auto hit = scene_.intersect(eye, ray);
+        if (hit && glm::dot(hit->normal, ray) > 0.0) {
+            hit->normal = -hit->normal;
+        }
+        return hit;
+    }
+
+    const RayScene& scene_;
+    const VisibilityTracer& tracer_;
+    std::vector<glm::dvec3> points_;
+    std::vector<double> shown_;
+    std::vector<double> truth_;
+    std::vector<double> changes_;
+};
+
+class TimeGLTest : public StabilityTest {
+protected:
+    static constexpr float kRadius = 2.0F;
+    const std::vector<glm::vec3> cubeMaps_{{-4, 3, 7}, {5, 2, 2}, {0, 4, 0}};
+
+    /// Frames at rest until nothing is left to do. False if there is no end to it.
+    static bool converge(SmallHost& host) {
+        for (int i = 0; i < 3000; ++i) {
+            if (!host.frame().ok()) {
+                return false;
+            }
+            const Statistics s = host.ao().statistics();
+            if (s.converged && s.coverage >= 0.0F && s.cubeMapsProjected > 0 && i > 4) {
+                return true;
+            }
+        }
+        return false;
+    }
+    static NamedCamera onThePath(float share) {
+        NamedCamera camera = courtCamera();
+        camera.eye = {-5 + 10 * share, 3.1F, 7 - 2 * share};
+        camera.target = {0, 1, -4};
+        return camera;
+    }
+    /// The 99th percentile of the changes along the path that truth does not show.
+    double flicker(SmallHost& host, int frames, int width) {
+        const auto scene = RayScene::create(court().flattened());
+        EXPECT_TRUE(scene.ok()) << scene.status().message();
+        const auto tracer =
+            VisibilityTracer::create(*scene, {.rays = 256, .radius = double{kRadius}});
+        EXPECT_TRUE(tracer.ok()) << tracer.status().message();
+        FollowedPoints points(*scene, *tracer);
+        host.useCamera(onThePath(0.5F));
+        points.choose(shoot(host), width / 24);
+        host.useCamera(onThePath(0.0F));
+        EXPECT_TRUE(converge(host));
+        for (int k = 0; k < frames; ++k) {
+            host.useCamera(onThePath(static_cast<float>(k) / static_cast<float>(frames - 1)));
+            points.take(shoot(host));
+        }
+        EXPECT_GT(points.changes().size(), 1000U);
+        return percentile(points.changes(), 0.99);
+    }
+};
+
+TEST_P(TimeGLTest, AConvergedStaticSceneStaysTheSameToTheBit) {
+    for (const float budget : {0.0F, 4.0F}) {
+        Options o = options(kRadius);
+        o.frameBudget = budget;
+        o.cubeMaps.place = true;
+        const auto with = host(court(), o);
+        with->useCamera(courtCamera());
+        ASSERT_TRUE(converge(*with)) << "budget " << budget;
+        const Shot first = shoot(*with);
+        for (int i = 0; i < 8; ++i) {
+            const Shot next = shoot(*with);
+            EXPECT_EQ(next.picture.visibility, first.picture.visibility) << "frame " << i;
+            EXPECT_EQ(with->ao().statistics().cubeMapsBuilt, 0);
+            EXPECT_TRUE(with->ao().statistics().converged);
+        }
+    }
+}
+
+TEST_P(TimeGLTest, AnEstimateOfManyFramesEndsWhereOneAtOnceDoes) {
+    Options o = options(kRadius);
+    const Shot atOnce = shoot(court(), o, courtCamera(), cubeMaps_);
+    o.frameBudget = 4.0F;
+    const auto with = host(court(), o);
+    with->useCamera(courtCamera());
+    for (const glm::vec3& position : cubeMaps_) {
+        ASSERT_TRUE(with->ao().addCubeMap(position).ok());
+    }
+    ASSERT_TRUE(converge(*with));
+    const Change change = changeOf(atOnce.picture.visibility, shoot(*with).picture.visibility);
+    report("max change", change.max);
+    EXPECT_LE(change.max, 1.0 / 255.0);
+}
+
+TEST_P(TimeGLTest, AMovingCameraShowsNoFlicker) {
+    for (const int faceSize : {64, 128}) {
+        Options o = options(kRadius);
+        o.cubeMaps.faceSize = faceSize;
+        o.rayTraced.rays = 256;
+        const auto with = host(court(), o, 320, 180);
+        for (const glm::vec3& position : cubeMaps_) {
+            ASSERT_TRUE(with->ao().addCubeMap(position).ok());
+        }
+        const double p99 = flicker(*with, 12, 320);
+        report("faces " + std::to_string(faceSize) + " 99th percentile", p99);
+        EXPECT_LT(p99, forEach(0.025, 0.02, 0.02));
+    }
+}
+
+TEST_P(TimeGLTest, CubeMapsThatComeInOnTheWayShowNoFlicker) {
+    Options o = options(kRadius);
+    o.cubeMaps.faceSize = 128;
+    o.rayTraced.rays = 256;
+    o.cubeMaps.place = true;
+    o.cubeMaps.coverage = 0.95F;
+    o.frameBudget = 4.0F;
+    const auto with = host(court(), o, 160, 90);
+    const double p99 = flicker(*with, 60, 160);
+    report("99th percentile", p99);
+    EXPECT_LT(p99, forEach(0.05, 0.025, 0.025));
+    EXPECT_GT(with->ao().cubeMaps().size(), 1U) << "none came in";
+}
+
+// For docs/stability.md: timings are no test.
+TEST_P(TimeGLTest, DISABLED_TheFrameBudgetAlongAWalk) {
+    const auto model = openScene("town");
+    ASSERT_TRUE(model.ok()) << model.sentence();
+    NamedCamera camera = camerasFor("town", *model).at(1);
+    Options o = options(0.04F * model->bounds().diagonal());
+    o.rayTraced.rays = 256;
+    o.cubeMaps.faceSize = 256;
+    o.cubeMaps.place = true;
+    o.frameBudget = 4.0F;
+    const auto with = host(*model, o, 320, 180);
+    const auto timed = [&] {
+        with->framebuffer().bind();
+        EXPECT_TRUE(with->ao().aoSetCamera(with->view(), with->projection()).ok());
+        EXPECT_TRUE(with->ao().aoDrawBegin().ok());
+        with->renderer().draw(with->view(), with->projection());
+        gl.Finish();
+        const auto start = std::chrono::steady_clock::now();
+        EXPECT_TRUE(with->ao().aoDrawEnd(with->eye().x, with->eye().y, with->eye().z).ok());
+        gl.Finish();
+        return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+            .count();
+    };
+    const glm::vec3 forward = glm::normalize(camera.target - camera.eye);
+    const glm::vec3 side = glm::normalize(glm::cross(forward, camera.up));
+    std::vector<double> walk;
+    std::vector<double> placing;
+    std::vector<double> after;
+    int known = 0;
+    for (int k = 0; k < 400; ++k) {
+        const float t = static_cast<float>(k) / 400.0F;
+        NamedCamera at = camera;
+        at.eye += 12.0F * t * forward;
+        at.target = at.eye + forward * std::cos(6.28F * t) + side * std::sin(6.28F * t);
+        with->useCamera(at);
+        const double ms = timed();
+        const int cubes = static_cast<int>(with->ao().cubeMaps().size());
+        if (k > 4) {
+            walk.push_back(ms);
+        }
+        if (cubes != known) {
+            placing.push_back(ms);
+        }
+        known = cubes;
+    }
+    for (int k = 0; k < 4000 && !with->ao().statistics().converged; ++k) {
+        timed();
+    }
+    for (int k = 0; k < 50; ++k) {
+        after.push_back(timed());
+    }
+    report("cube maps", static_cast<double>(known));
+    report("walk median ms", percentile(walk, 0.5));
+    report("walk 90th percentile ms", percentile(walk, 0.9));
+    report("walk 99th percentile ms", percentile(walk, 0.99));
+    report("walk longest ms", percentile(walk, 1.0));
+    report("longest frame that placed ms", percentile(placing, 1.0));
+    report("converged median ms", percentile(after, 0.5));
+}
+
+AOLIB_FOR_ALL_ESTIMATORS(TimeGLTest);
+
+} // namespace
+} // namespace aolib

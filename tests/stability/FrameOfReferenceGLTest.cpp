@@ -119,6 +119,25 @@ TEST_P(FrameOfReferenceGLTest, MovingFarAwayChangesNoPixel) {
     }
 }
 
+TEST_P(FrameOfReferenceGLTest, ASlantedCameraFarAwayStillSeesTheTruth) {
+    // Its matrix is rounded, by up to a unit at the far end: the host sees from elsewhere, and the
+    // ambient occlusion fits what the host sees.
+    NamedCamera camera = courtCamera();
+    camera.target = {2, 1, -5};
+    for (const float distance : {0.0F, 0x1p10F, 0x1p17F, 0x1p24F - 32.0F}) {
+        const glm::vec3 by = distance * glm::vec3(-1, 1, -1);
+        const Model model = moved(court(), by, true);
+        const Shot shot = shoot(model, options(kRadius), moved(camera, by),
+                                {cubeMaps_[0] + by, cubeMaps_[1] + by});
+        const Error error = errorOf(shot, model, options(kRadius));
+        const std::string at = std::to_string(static_cast<int>(distance));
+        report("rmse at " + at, error.rmse);
+        report("mismatched at " + at, error.mismatched);
+        EXPECT_LE(error.rmse, forEach(0.08, 0.019, 0.024)) << at;
+        EXPECT_LE(error.mismatched, 0.002) << at;
+    }
+}
+
 TEST_P(FrameOfReferenceGLTest, AQuarterTurnTakesEveryTexelAlong) {
     const auto quarter = [](const glm::vec3& axis) {
         glm::mat3 r(glm::rotate(glm::mat4(1.0F), glm::radians(90.0F), axis));

@@ -214,7 +214,7 @@ TEST_P(TimeGLTest, DISABLED_TheFrameBudgetAlongAWalk) {
     NamedCamera camera = camerasFor("town", *model).at(1);
     Options o = options(0.04F * model->bounds().diagonal());
     o.rayTraced.rays = 256;
-    o.cubeMaps.faceSize = 256;
+    o.cubeMaps.faceSize = 128;
     o.cubeMaps.place = true;
     o.cubeMaps.coverage = 0.97F;
     o.frameBudget = 4.0F;

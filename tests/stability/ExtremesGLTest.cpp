@@ -31,7 +31,7 @@ TEST_P(ExtremesGLTest, ViewportsOfOnePixelAcross) {
 
 TEST_P(ExtremesGLTest, RadiiFromFarBelowATexelToFarBeyondTheScene) {
     for (const Falloff falloff : {Falloff::Step, Falloff::Exp}) {
-        for (const float radius : {1e-30F, 1e-6F, 1e-3F, 1e-1F, 1e3F, 1e6F, 1e30F}) {
+        for (const float radius : {1e-30F, 1e-6F, 1e-1F, 1e6F, 1e30F}) {
             Options o = options(radius);
             o.falloff = falloff;
             const Shot shot = shoot(court(), o, courtCamera(), cubeMaps_);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numeric>
 
 #include "Figures.h"
 #include "HardScenes.h"
@@ -36,6 +37,7 @@ public:
     void take(const Shot& shot) {
         const glm::dmat4 toClip = glm::dmat4(shot.projection) * glm::dmat4(shot.view);
         const glm::dvec2 size(shot.picture.width, shot.picture.height);
+        const std::size_t before = changes_.size();
         for (std::size_t i = 0; i < points_.size(); ++i) {
             const glm::dvec4 clip = toClip * glm::dvec4(points_[i], 1.0);
             const glm::dvec2 at = (glm::dvec2(clip) / clip.w * 0.5 + 0.5) * size;
@@ -60,9 +62,16 @@ public:
             shown_[i] = shown;
             truth_[i] = truth;
         }
+        const double sum = std::accumulate(changes_.begin() + static_cast<std::ptrdiff_t>(before),
+                                           changes_.end(), 0.0);
+        const auto count = static_cast<double>(changes_.size() - before);
+        largestMean_ = std::max(largestMean_, count > 100.0 ? sum / count : 0.0);
     }
 
+    /// Of all points and frames.
     std::vector<double>& changes() { return changes_; }
+    /// The largest mean change of a frame in which over 100 points are seen: what all do at once.
+    double largestMean() const { return largestMean_; }
 
 private:
     std::optional<Hit> hitAt(const Shot& shot, const glm::ivec2& pixel) const {
@@ -86,6 +95,7 @@ private:
     std::vector<double> shown_;
     std::vector<double> truth_;
     std::vector<double> changes_;
+    double largestMean_ = 0.0;
 };
 
 class TimeGLTest : public StabilityTest {
@@ -140,6 +150,8 @@ protected:
             points.take(shot);
         }
         EXPECT_GT(points.changes().size(), 1000U);
+        report("largest mean change of a frame", points.largestMean());
+        EXPECT_LT(points.largestMean(), forEach(0.015, 0.02, 0.02)) << "they all change at once";
         return percentile(points.changes(), 0.99);
     }
 };
@@ -178,18 +190,15 @@ TEST_P(TimeGLTest, AnEstimateOfManyFramesEndsWhereOneAtOnceDoes) {
 }
 
 TEST_P(TimeGLTest, AMovingCameraShowsNoFlicker) {
-    for (const int faceSize : {64, 128}) {
-        Options o = options(kRadius);
-        o.cubeMaps.faceSize = faceSize;
-        o.rayTraced.rays = 256;
-        const auto with = host(court(), o, 320, 180);
-        for (const glm::vec3& position : cubeMaps_) {
-            ASSERT_TRUE(with->ao().addCubeMap(position).ok());
-        }
-        const double p99 = flicker(*with, pastTheFront, 12);
-        report("faces " + std::to_string(faceSize) + " 99th percentile", p99);
-        EXPECT_LT(p99, forEach(0.025, 0.02, 0.02));
+    Options o = options(kRadius);
+    o.rayTraced.rays = 256;
+    const auto with = host(court(), o, 320, 180);
+    for (const glm::vec3& position : cubeMaps_) {
+        ASSERT_TRUE(with->ao().addCubeMap(position).ok());
     }
+    const double p99 = flicker(*with, pastTheFront, 12);
+    report("99th percentile", p99);
+    EXPECT_LT(p99, forEach(0.025, 0.02, 0.02));
 }
 
 TEST_P(TimeGLTest, CubeMapsThatComeInOnTheWayShowNoFlicker) {
@@ -200,9 +209,9 @@ TEST_P(TimeGLTest, CubeMapsThatComeInOnTheWayShowNoFlicker) {
     o.cubeMaps.coverage = 0.97F;
     o.frameBudget = 4.0F;
     const auto with = host(court(), o, 160, 90);
-    const double p99 = flicker(*with, aroundTheBoxes, 150);
+    const double p99 = flicker(*with, aroundTheBoxes, 100);
     report("99th percentile", p99);
-    EXPECT_LT(p99, forEach(0.05, 0.025, 0.025));
+    EXPECT_LT(p99, forEach(0.04, 0.02, 0.02));
     report("cube maps", static_cast<double>(with->ao().cubeMaps().size()));
     EXPECT_GT(with->ao().cubeMaps().size(), 1U) << "none came in";
 }

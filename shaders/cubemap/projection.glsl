@@ -142,7 +142,10 @@ void project(int cube, vec3 eyeTo, vec3 normal, float resolution, inout Projecte
     vec2 uv = inFace.xy / inFace.z * 0.5 + 0.5;
     vec2 at = uv * float(uFaceSize) - 0.5;
     vec2 code = uDepthCode[cube].xy;
-    float visibility = lookUp(inFace, toFace(face, normal), at, layer, code, tolerance);
+    // Seen from less than half a texel above it, a surface may well lie between the texels' rays.
+    bool resolved = cosDelta * float(uFaceSize) >= 1.0;
+    float visibility =
+        resolved ? lookUp(inFace, toFace(face, normal), at, layer, code, tolerance) : -1.0;
     if (visibility < 0.0) {
         visibility = lookAbout(inFace, at, layer, code, footprint);
         quality += kGuess;

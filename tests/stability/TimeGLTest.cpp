@@ -144,14 +144,14 @@ protected:
         for (int k = 0; k < frames; ++k) {
             host.useCamera(path(static_cast<float>(k) / static_cast<float>(frames - 1)));
             const Shot shot = shoot(host);
-            if (k % 20 == 10) {
+            if (k % 50 == 25) {
                 points.choose(shot); // of what has come into view
             }
             points.take(shot);
         }
         EXPECT_GT(points.changes().size(), 1000U);
         report("largest mean change of a frame", points.largestMean());
-        EXPECT_LT(points.largestMean(), forEach(0.015, 0.02, 0.02)) << "they all change at once";
+        EXPECT_LT(points.largestMean(), forEach(0.015, 0.02, 0.03)) << "they all change at once";
         return percentile(points.changes(), 0.99);
     }
 };

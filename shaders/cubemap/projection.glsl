@@ -7,6 +7,10 @@
 uniform sampler2DArray uCubeVisibility; // a layer per face that is kept
 uniform sampler2DArray uCubeDepth;      // coded depth along the face's axis; 0 where nothing is known
 uniform int uFaceSize;                  // texels
+// Tiles in which surfaces end are kept finer, as blocks of their own.
+uniform sampler2DArray uPages; // a layer per face, a texel per tile: 0, or 1 + the number of its block
+uniform sampler2DArray uDetailVisibility;
+uniform sampler2DArray uDetailDepth;
 // Per cube map: from its centre to the eye (world units), and what is added to log2 of its quality.
 uniform vec4 uCubeToEye[64];
 uniform vec4 uDepthCode[64]; // nearest depth, log2(farthest / nearest), two unused
@@ -14,6 +18,10 @@ uniform vec4 uDepthCode[64]; // nearest depth, log2(farthest / nearest), two unu
 uniform ivec4 uFaceLayers[64];
 
 const int kNoLayer = 0xFFFF;
+const int kTile = 32;        // texels along a tile's edge
+const int kDetailScale = 4;  // texels of detail along a texel
+const int kBlock = kTile * kDetailScale;
+const int kBlocksPerRow = 4; // of a layer of the detail textures
 // A texel belongs to the pixel's surface when it lies on the pixel's tangent plane to within this
 // many texel footprints (more at grazing angles, where a footprint on the surface is longer).
 const float kPlaneFootprints = 0.5;
@@ -51,38 +59,52 @@ struct Quad {
     vec4 t;
 };
 
-Quad quadAt(ivec2 corner, int layer, vec2 code) {
-    Quad quad;
-    float size = float(uFaceSize);
+// The texels of a grid: of a face as a whole, or of the detail of one of its tiles.
+struct Grid {
+    bool detail;
+    int layer;
+    ivec2 origin; // of the grid's texel (0, 0) in its texture
+    ivec2 offset; // of the grid's texel (0, 0) on the face, in texels of this fineness
+    ivec2 extent; // texels across and up
+    float size;   // texels of this fineness along the face's edge
+};
+
 #ifdef GL_ARB_texture_gather
-    vec3 middle = vec3((vec2(corner) + 1.0) / size, float(layer));
-    vec4 codes = textureGather(uCubeDepth, middle).wzxy;
-    quad.visibility = textureGather(uCubeVisibility, middle).wzxy;
+#define FOUR(sampler) textureGather(sampler, middle).wzxy
 #else
-    ivec3 at = ivec3(corner, layer);
-    vec4 codes = vec4(texelFetch(uCubeDepth, at, 0).r,
-                      texelFetch(uCubeDepth, at + ivec3(1, 0, 0), 0).r,
-                      texelFetch(uCubeDepth, at + ivec3(0, 1, 0), 0).r,
-                      texelFetch(uCubeDepth, at + ivec3(1, 1, 0), 0).r);
-    quad.visibility = vec4(texelFetch(uCubeVisibility, at, 0).r,
-                           texelFetch(uCubeVisibility, at + ivec3(1, 0, 0), 0).r,
-                           texelFetch(uCubeVisibility, at + ivec3(0, 1, 0), 0).r,
-                           texelFetch(uCubeVisibility, at + ivec3(1, 1, 0), 0).r);
+#define FOUR(sampler)                                                                                 \
+    vec4(texelFetch(sampler, at, 0).r, texelFetch(sampler, at + ivec3(1, 0, 0), 0).r,                 \
+         texelFetch(sampler, at + ivec3(0, 1, 0), 0).r, texelFetch(sampler, at + ivec3(1, 1, 0), 0).r)
 #endif
+
+Quad quadAt(Grid grid, ivec2 corner, vec2 code) {
+    Quad quad;
+    vec4 codes;
+    ivec3 at = ivec3(grid.origin + corner, grid.layer);
+    if (grid.detail) {
+        vec3 middle = vec3((vec2(at.xy) + 1.0) / float(kBlocksPerRow * kBlock), float(at.z));
+        codes = FOUR(uDetailDepth);
+        quad.visibility = FOUR(uDetailVisibility);
+    } else {
+        vec3 middle = vec3((vec2(at.xy) + 1.0) / float(uFaceSize), float(at.z));
+        codes = FOUR(uCubeDepth);
+        quad.visibility = FOUR(uCubeVisibility);
+    }
     quad.known = vec4(greaterThan(codes, vec4(0.0)));
     quad.depth = code.x * exp2((codes * 65535.0 - 1.0) / 65534.0 * code.y);
-    vec2 ray = (vec2(corner) + 0.5) * (2.0 / size) - 1.0;
-    quad.s = ray.x + vec4(0.0, 2.0, 0.0, 2.0) / size;
-    quad.t = ray.y + vec4(0.0, 0.0, 2.0, 2.0) / size;
+    float step = 2.0 / grid.size;
+    vec2 ray = (vec2(grid.offset + corner) + 0.5) * step - 1.0;
+    quad.s = ray.x + vec4(0.0, step, 0.0, step);
+    quad.t = ray.y + vec4(0.0, 0.0, step, step);
     return quad;
 }
 
 // Visibility of p by the four texels about it that lie on its surface; negative if there is none.
-// All in the face's axes; `at` in texels from the middle of the first.
-float lookUp(vec3 p, vec3 normal, vec2 at, int layer, vec2 code, float tolerance) {
-    vec2 corner = clamp(floor(at), vec2(0.0), vec2(float(uFaceSize - 2)));
+// All in the face's axes; `at` in texels from the middle of the grid's first.
+float lookUp(vec3 p, vec3 normal, Grid grid, vec2 at, vec2 code, float tolerance) {
+    vec2 corner = clamp(floor(at), vec2(0.0), vec2(grid.extent - 2));
     vec2 f = clamp(at - corner, 0.0, 1.0);
-    Quad quad = quadAt(ivec2(corner), layer, code);
+    Quad quad = quadAt(grid, ivec2(corner), code);
     // A ray's distance from the tangent plane is affine in s and t.
     vec4 off = abs(quad.depth * (normal.x * quad.s + normal.y * quad.t + normal.z) - dot(normal, p));
     // Never quite zero: a lone texel in the far corner is better than none.
@@ -95,14 +117,14 @@ float lookUp(vec3 p, vec3 normal, vec2 at, int layer, vec2 code, float tolerance
 
 // The same where none of the four is on the surface, as at edges that are finer than a texel: by the
 // sixteen about it, whichever are near in space.
-float lookAbout(vec3 p, vec2 at, int layer, vec2 code, float footprint) {
+float lookAbout(vec3 p, Grid grid, vec2 at, vec2 code, float footprint) {
     ivec2 first = ivec2(floor(at)) - 1;
     float sum = 0.0;
     float weights = 0.0;
     float scale = -1.0 / (footprint * footprint);
     for (int i = 0; i < 4; ++i) {
-        ivec2 corner = clamp(first + 2 * ivec2(i & 1, i >> 1), ivec2(0), ivec2(uFaceSize - 2));
-        Quad quad = quadAt(corner, layer, code);
+        ivec2 corner = clamp(first + 2 * ivec2(i & 1, i >> 1), ivec2(0), grid.extent - 2);
+        Quad quad = quadAt(grid, corner, code);
         vec4 x = quad.depth * quad.s - p.x;
         vec4 y = quad.depth * quad.t - p.y;
         vec4 z = quad.depth - p.z;
@@ -139,18 +161,40 @@ void project(int cube, vec3 eyeTo, vec3 normal, float resolution, inout Projecte
     float footprint = 2.0 * depth / float(uFaceSize);
     float tolerance = kPlaneFootprints * footprint / max(cosDelta, kSteepest) + resolution;
     vec3 inFace = toFace(face, p);
+    vec3 normalInFace = toFace(face, normal);
     vec2 uv = inFace.xy / inFace.z * 0.5 + 0.5;
-    vec2 at = uv * float(uFaceSize) - 0.5;
+    vec2 at = uv * float(uFaceSize);
     vec2 code = uDepthCode[cube].xy;
     // Seen from less than half a texel above it, a surface may well lie between the texels' rays.
-    bool resolved = cosDelta * float(uFaceSize) >= 1.0;
-    float visibility =
-        resolved ? lookUp(inFace, toFace(face, normal), at, layer, code, tolerance) : -1.0;
+    float resolved = cosDelta * float(uFaceSize);
+    ivec2 tile = min(ivec2(at), uFaceSize - 1) / kTile;
+    int page = int(texelFetch(uPages, ivec3(tile, layer), 0).r * 65535.0 + 0.5);
+    float visibility = -1.0;
+    if (page > 0 && resolved * float(kDetailScale) >= 1.0) {
+        int block = page - 1;
+        int inLayer = block % (kBlocksPerRow * kBlocksPerRow);
+        Grid grid = Grid(true, block / (kBlocksPerRow * kBlocksPerRow),
+                         kBlock * ivec2(inLayer % kBlocksPerRow, inLayer / kBlocksPerRow),
+                         tile * kBlock, min(ivec2(kBlock), kDetailScale * uFaceSize - tile * kBlock),
+                         float(kDetailScale * uFaceSize));
+        vec2 inBlock = at * float(kDetailScale) - vec2(grid.offset) - 0.5;
+        visibility = lookUp(inFace, normalInFace, grid, inBlock, code,
+                            (tolerance - resolution) / float(kDetailScale) + resolution);
+        if (visibility < 0.0) {
+            visibility = lookAbout(inFace, grid, inBlock, code, footprint / float(kDetailScale));
+        }
+    }
     if (visibility < 0.0) {
-        visibility = lookAbout(inFace, at, layer, code, footprint);
-        quality += kGuess;
-        if (visibility < 0.0 || quality < best.quality - kMargin) {
-            return;
+        Grid grid = Grid(false, layer, ivec2(0), ivec2(0), ivec2(uFaceSize), float(uFaceSize));
+        if (resolved >= 1.0) {
+            visibility = lookUp(inFace, normalInFace, grid, at - 0.5, code, tolerance);
+        }
+        if (visibility < 0.0) {
+            visibility = lookAbout(inFace, grid, at - 0.5, code, footprint);
+            quality += kGuess;
+            if (visibility < 0.0 || quality < best.quality - kMargin) {
+                return;
+            }
         }
     }
     if (quality > best.quality) {

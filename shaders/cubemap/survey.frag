@@ -8,7 +8,8 @@ uniform vec2 uTargetSize;
 uniform vec2 uOffset; // of the sample in its cell, 0 to 1
 uniform int uCubes;
 
-// From the eye to the surface, world axes; 0 background, 1 surface, 2 surface that is shaded.
+// From the eye to the surface, world axes; what the pixel covers there, world units, negative where no
+// cube map shades it, 0 for background.
 layout(location = 0) out vec4 outSample;
 
 void main() {
@@ -23,5 +24,5 @@ void main() {
     for (int cube = 0; cube < uCubes; ++cube) {
         project(cube, eyeTo, uEyeToWorld * surface.normal, depthResolution(surface.t), best);
     }
-    outSample = vec4(eyeTo, best.quality > 0.5 * kGuess ? 2.0 : 1.0);
+    outSample = vec4(eyeTo, (best.quality > 0.5 * kGuess ? 1.0 : -1.0) * pixelFootprint(surface.t));
 }

@@ -28,6 +28,10 @@ public:
     ///                      work is done in any case.
     virtual Status advance(const std::vector<CubeMapProjector*>& projectors,
                            double milliseconds) = 0;
+    /// Whether something that is asked for is still to be computed.
+    virtual bool lacks(const CubeMapProjector& projector) const {
+        return projector.tiles.lacks(passes());
+    }
     /// Forgets what it holds for a cube map that is gone or has to begin again.
     virtual void forget(CubeMapId id) = 0;
     /// GPU memory held for cube maps on their way.

@@ -14,6 +14,8 @@ namespace aolib {
 
 namespace {
 
+/// Texels this many times as wide as the pixels that show them are too coarse for edges.
+constexpr float kCoarse = 1.25F;
 /// Frames over which a complete cube map comes in: its quality rises from kNewcomer to its own.
 constexpr int kFramesToComeIn = 32;
 
@@ -63,7 +65,7 @@ Result<AbstractTexelSource*> BackboneCubemapped::source() {
                           "createTexelTracer() of aolib/RayTracing.h makes it");
         }
         if (!traced_) {
-            traced_ = std::make_unique<RayTracedTexels>(context_, store_, *context_.tracer);
+            traced_ = std::make_unique<RayTracedTexels>(context_, store_, details_, *context_.tracer);
             traced_->sceneChanged();
             traced_->setRadius(radius());
         }
@@ -116,6 +118,7 @@ Status BackboneCubemapped::removeCubeMap(CubeMapId id) {
         return unknown(id);
     }
     forget(id);
+    (*found)->dropDetails(store_, details_);
     (*found)->dropFaces(store_);
     std::erase(projected_, found->get());
     projectors_.erase(found);
@@ -192,6 +195,7 @@ void BackboneCubemapped::followFaceSize() {
         return;
     }
     for (const auto& projector : projectors_) {
+        projector->dropDetails(store_, details_);
         projector->dropFaces(store_);
         projector->tiles = TileProgress(faceSize);
         projector->dirty = true;
@@ -276,11 +280,16 @@ void BackboneCubemapped::heedSurvey(const std::vector<CubeMapProjector*>& projec
     shownSurvey_ = *answer;
     for (CubeMapProjector* projector : projectors) {
         const glm::vec3 toEye(answer->eye - glm::dvec3(projector->position()));
-        for (const glm::vec3& point : answer->points) {
-            const glm::vec3 p = toEye + point;
+        const auto size = static_cast<float>(projector->tiles.faceSize());
+        for (std::size_t i = 0; i < answer->points.size(); ++i) {
+            const glm::vec3 p = toEye + answer->points[i];
             const int face = shared::faceOf(p);
-            projector->tiles.ask(face, shared::faceCoordinates(face, p) *
-                                           static_cast<float>(projector->tiles.faceSize()));
+            const glm::vec2 at = shared::faceCoordinates(face, p) * size;
+            projector->tiles.ask(face, at);
+            const float texel = 2.0F * glm::dot(p, shared::faceForward(face)) / size;
+            if (texel > kCoarse * answer->footprints[i]) {
+                projector->tiles.askFine(face, at);
+            }
         }
     }
 }
@@ -296,6 +305,7 @@ Status BackboneCubemapped::compute(const std::vector<CubeMapProjector*>& project
             continue;
         }
         forget(projector->id());
+        projector->dropDetails(store_, details_);
         projector->tiles.restart();
         if (atOnce()) {
             projector->tiles.askAll();
@@ -343,11 +353,15 @@ Status BackboneCubemapped::prepare(const Frame& frame) {
         return status;
     }
     bringIn(used);
+    const auto texels = source();
+    if (!texels) {
+        return texels.status();
+    }
     converged_ = true;
     for (CubeMapProjector* projector : used) {
         // One that no survey has looked at yet has not begun.
         converged_ = converged_ && projector->shown && projector->bias >= 0.0F &&
-                     !projector->tiles.lacks(passes_);
+                     !(*texels)->lacks(*projector);
         if (projector->shown) {
             projected_.push_back(projector);
         }
@@ -366,16 +380,16 @@ bool BackboneCubemapped::noisy() const {
 
 void BackboneCubemapped::shadeDirectly(const Frame& frame) {
     if (!projected_.empty()) {
-        projection_->shade(context_, frame, host_, store_, projected_);
+        projection_->shade(context_, frame, host_, {store_, details_}, projected_);
     }
 }
 
 Result<const gl::RenderToTexture2D*> BackboneCubemapped::computeVisibility(const Frame& frame) {
-    return projection_->apply(context_, frame, host_, store_, projected_);
+    return projection_->apply(context_, frame, host_, {store_, details_}, projected_);
 }
 
 Status BackboneCubemapped::finishFrame(const Frame& frame) {
-    survey_->take(context_, frame, host_, store_, projected_, ++framesSurveyed_);
+    survey_->take(context_, frame, host_, {store_, details_}, projected_, ++framesSurveyed_);
     if (context_.options.cubeMaps.outlines) {
         outlines_->draw(context_, frame, nearest(frame.position));
     }
@@ -390,7 +404,7 @@ void BackboneCubemapped::addStatistics(Statistics& statistics) {
     statistics.converged = converged_;
     statistics.bytesFrame += projection_->bytes();
     statistics.bytesScene = sceneGeometry_.bytes();
-    statistics.bytesKept = store_.bytes();
+    statistics.bytesKept = store_.bytes() + details_.bytes();
 }
 
 } // namespace aolib

@@ -34,7 +34,7 @@ public:
 
 private:
     explicit BackboneCubemapped(const BackboneContext& context)
-        : AbstractBackbone(context), store_(context.gl) {}
+        : AbstractBackbone(context), store_(context.gl), details_(context.gl) {}
 
     Status prepare(const Frame& frame) override;
     bool shadesDirectly() const override;
@@ -70,6 +70,7 @@ private:
 
     SceneGeometry sceneGeometry_;
     FaceStore store_;
+    DetailStore details_;
     std::unique_ptr<AbstractTexelSource> raster_;
     std::unique_ptr<RayTracedTexels> traced_;
     int passes_ = 1; ///< of the source in use
@@ -83,7 +84,7 @@ private:
     float builtRadius_ = 0.0F; ///< that the cube maps which are not dirty were built with
 
     std::optional<Survey::Answer> latestSurvey_; ///< of the cube maps as they are
-    Survey::Answer shownSurvey_{.frame = 0, .shaded = -1.0F, .points = {}};
+    Survey::Answer shownSurvey_{.frame = 0, .shaded = -1.0F, .points = {}, .footprints = {}};
     std::uint64_t framesSurveyed_ = 0;
     std::vector<CubeMapProjector*> projected_; ///< in the latest frame
     int builtInFrame_ = 0;

@@ -77,6 +77,30 @@ void CubeMapProjector::dropFaces(FaceStore& store) {
     }
 }
 
+Result<int> CubeMapProjector::detailOf(const FaceStore& store, DetailStore& details, int tile) {
+    if (const auto found = details_.find(tile); found != details_.end()) {
+        return found->second;
+    }
+    const auto block = details.take();
+    if (block) {
+        details_.emplace(tile, *block);
+        const TileProgress::Region region = tiles.region(tile);
+        store.setDetail(layer(region.face), region, *block);
+    }
+    return block;
+}
+
+void CubeMapProjector::dropDetails(const FaceStore& store, DetailStore& details) {
+    for (const auto& [tile, block] : details_) {
+        const TileProgress::Region region = tiles.region(tile);
+        if (keeps(region.face)) {
+            store.setDetail(layer(region.face), region, -1);
+        }
+        details.giveBack(block);
+    }
+    details_.clear();
+}
+
 int CubeMapProjector::facesKept() const {
     return static_cast<int>(
         std::count_if(layers_.begin(), layers_.end(), [](int layer) { return layer != kNoLayer; }));

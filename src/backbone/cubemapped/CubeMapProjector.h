@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
@@ -11,6 +12,7 @@
 #include <aolib/Statistics.h>
 
 #include "backbone/Frame.h"
+#include "backbone/cubemapped/DetailStore.h"
 #include "backbone/cubemapped/FaceStore.h"
 #include "backbone/cubemapped/TileProgress.h"
 #include "gl/GpuTimer.h"
@@ -51,6 +53,11 @@ public:
     int layer(int face) const { return layers_[static_cast<std::size_t>(face)]; }
     int facesKept() const;
 
+    /// The block of the detail store that shows a tile finer, made on first use.
+    /// Errors: as DetailStore::take().
+    Result<int> detailOf(const FaceStore& store, DetailStore& details, int tile);
+    void dropDetails(const FaceStore& store, DetailStore& details);
+
     /// Reads everything back; waits for the GPU.
     CubeMapImage read(const gl::Functions& gl, const FaceStore& store) const;
     CubeMapInfo info(const FaceStore& store);
@@ -70,6 +77,7 @@ private:
     CubeMapId id_{};
     glm::vec3 position_{};
     glm::vec2 depthCode_{0.0F, 0.0F};
+    std::map<int, int> details_; ///< tile to block
     std::array<int, kFaces> layers_{kNoLayer, kNoLayer, kNoLayer, kNoLayer, kNoLayer, kNoLayer};
 };
 

@@ -17,15 +17,16 @@ constexpr int kGrowth = 6;
 void FaceStore::reset(int faceSize) {
     visibility_ = {};
     depth_ = {};
+    pages_ = {};
     used_.clear();
     faceSize_ = faceSize;
 }
 
 Status FaceStore::grow() {
     const int layers = static_cast<int>(used_.size()) + kGrowth;
-    const auto create = [&](Format format, const char* label) {
-        return gl::TextureStack::create(*gl_, {.width = faceSize_,
-                                               .height = faceSize_,
+    const auto create = [&](Format format, int size, const char* label) {
+        return gl::TextureStack::create(*gl_, {.width = size,
+                                               .height = size,
                                                .layers = layers,
                                                .format = format,
                                                .label = label});
@@ -36,18 +37,24 @@ Status FaceStore::grow() {
             return {StatusCode::OutOfMemory, "aolib/faces: GL gave no framebuffer name"};
         }
     }
-    auto visibility = create(Format::R8, "aolib/faces/visibility");
+    auto visibility = create(Format::R8, faceSize_, "aolib/faces/visibility");
     if (!visibility) {
         return visibility.status();
     }
-    auto depth = create(Format::R16, "aolib/faces/depth");
+    auto depth = create(Format::R16, faceSize_, "aolib/faces/depth");
     if (!depth) {
         return depth.status();
+    }
+    auto pages = create(Format::R16, tilesPerEdge(), "aolib/faces/pages");
+    if (!pages) {
+        return pages.status();
     }
     if (!used_.empty()) {
         visibility->copyFrom(visibility_);
         depth->copyFrom(depth_);
+        pages->copyFrom(pages_);
     }
+    pages_ = std::move(*pages);
     visibility_ = std::move(*visibility);
     depth_ = std::move(*depth);
     used_.resize(static_cast<std::size_t>(layers), false);
@@ -70,6 +77,8 @@ Result<int> FaceStore::take() {
     begin(layer);
     gl_->ClearBufferfv(GL_COLOR, 0, open.data());
     gl_->ClearBufferfv(GL_COLOR, 1, nothing.data());
+    const std::vector<std::uint16_t> none(static_cast<std::size_t>(tilesPerEdge() * tilesPerEdge()));
+    pages_.upload(layer, {0, 0}, {tilesPerEdge(), tilesPerEdge()}, none.data());
     return layer;
 }
 
@@ -102,6 +111,17 @@ void FaceStore::upload(int layer, const TileProgress::Region& region,
     depth_.upload(layer, {region.x, region.y}, {region.width, region.height}, depth.data());
 }
 
+void FaceStore::setDetail(int layer, const TileProgress::Region& region, int block) const {
+    const auto page = static_cast<std::uint16_t>(block + 1);
+    pages_.upload(layer, {region.x / TileProgress::kTile, region.y / TileProgress::kTile}, {1, 1},
+                  &page);
+}
+
+void FaceStore::bindPages(gl::GLSLShader& shader, int unit) const {
+    pages_.bind(unit);
+    shader.set("uPages", unit);
+}
+
 void FaceStore::bind(gl::GLSLShader& shader, int visibilityUnit, int depthUnit) const {
     visibility_.bind(visibilityUnit);
     depth_.bind(depthUnit);
@@ -117,7 +137,7 @@ std::size_t FaceStore::bytesPerFace() const {
 }
 
 std::size_t FaceStore::bytes() const {
-    return used_.size() * bytesPerFace();
+    return used_.empty() ? 0 : visibility_.bytes() + depth_.bytes() + pages_.bytes();
 }
 
 } // namespace aolib

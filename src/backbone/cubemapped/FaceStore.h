@@ -34,8 +34,12 @@ public:
     void upload(int layer, const TileProgress::Region& region,
                 std::span<const std::uint8_t> visibility,
                 std::span<const std::uint16_t> depth) const;
+    /// Says which block of the detail store shows a tile finer; -1 for none.
+    void setDetail(int layer, const TileProgress::Region& region, int block) const;
     /// Makes the layers readable and sets uFaceSize.
     void bind(gl::GLSLShader& shader, int visibilityUnit, int depthUnit) const;
+    /// Makes the numbers of the detail blocks readable.
+    void bindPages(gl::GLSLShader& shader, int unit) const;
 
     std::size_t bytesPerFace() const;
     /// GPU memory, layers in reserve included.
@@ -45,11 +49,13 @@ public:
 
 private:
     Status grow();
+    int tilesPerEdge() const { return (faceSize_ + TileProgress::kTile - 1) / TileProgress::kTile; }
 
     const gl::Functions* gl_;
     int faceSize_ = 0;
     gl::TextureStack visibility_;
     gl::TextureStack depth_;
+    gl::TextureStack pages_; ///< per tile: 0, or 1 + the number of its detail block
     gl::Framebuffer framebuffer_;
     std::vector<bool> used_; ///< one per layer
 };

@@ -13,7 +13,10 @@ namespace {
 constexpr int kDepthUnit = 0;
 constexpr int kVisibilityUnit = 1;
 constexpr int kCubeDepthUnit = 2;
-constexpr int kBestUnit = 3;
+constexpr int kPagesUnit = 3;
+constexpr int kDetailVisibilityUnit = 4;
+constexpr int kDetailDepthUnit = 5;
+constexpr int kBestUnit = 6;
 
 /// Two faces' layers as one number, as shaders/cubemap/projection.glsl takes them apart.
 int pairOfLayers(const CubeMapProjector& projector, int face) {
@@ -41,19 +44,22 @@ Result<Projection> Projection::create(const BackboneContext& context) {
 }
 
 void Projection::bind(gl::GLSLShader& shader, const Frame& frame, const HostFramebuffer& host,
-                      const FaceStore& store, const std::vector<CubeMapProjector*>& projectors) {
+                      const KeptTexels& kept, const std::vector<CubeMapProjector*>& projectors) {
     shader.bind();
     host.bindDepth(kDepthUnit);
     shader.set("uDepth", kDepthUnit);
     frame.camera.setUniforms(shader, frame.size, frame.clip);
     shader.set("uCubes", static_cast<int>(projectors.size()));
-    if (store.empty() || projectors.empty()) {
-        // Samplers of different types must not share a unit even where they are not read.
-        shader.set("uCubeVisibility", kVisibilityUnit);
-        shader.set("uCubeDepth", kCubeDepthUnit);
+    // Samplers of different types must not share a unit even where they are not read.
+    shader.set("uCubeVisibility", kVisibilityUnit);
+    shader.set("uCubeDepth", kCubeDepthUnit);
+    shader.set("uPages", kPagesUnit);
+    kept.details.bind(shader, kDetailVisibilityUnit, kDetailDepthUnit);
+    if (kept.faces.empty() || projectors.empty()) {
         return;
     }
-    store.bind(shader, kVisibilityUnit, kCubeDepthUnit);
+    kept.faces.bind(shader, kVisibilityUnit, kCubeDepthUnit);
+    kept.faces.bindPages(shader, kPagesUnit);
     std::vector<glm::vec4> toEye;
     std::vector<glm::vec4> codes;
     std::vector<glm::ivec4> layers;
@@ -70,10 +76,10 @@ void Projection::bind(gl::GLSLShader& shader, const Frame& frame, const HostFram
 }
 
 void Projection::shade(const BackboneContext& context, const Frame& frame,
-                       const HostFramebuffer& host, const FaceStore& store,
+                       const HostFramebuffer& host, const KeptTexels& kept,
                        const std::vector<CubeMapProjector*>& projectors) {
     const gl::DebugGroup group(context.gl, "aolib: project and blend");
-    bind(shade_, frame, host, store, projectors);
+    bind(shade_, frame, host, kept, projectors);
     shade_.set("uOrigin", frame.origin);
     shade_.set("uContrast", context.options.contrast);
     beginHostColours(context, frame);
@@ -99,7 +105,7 @@ Status Projection::prepare(const BackboneContext& context, const Frame& frame,
 
 Result<const gl::RenderToTexture2D*>
 Projection::apply(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,
-                  const FaceStore& store, const std::vector<CubeMapProjector*>& projectors) {
+                  const KeptTexels& kept, const std::vector<CubeMapProjector*>& projectors) {
     const gl::DebugGroup group(context.gl, "aolib: project cube maps");
     const int cubes = static_cast<int>(projectors.size());
     const bool single = context.options.cubeMaps.projection == ProjectionMethod::SinglePass;
@@ -112,7 +118,7 @@ Projection::apply(const BackboneContext& context, const Frame& frame, const Host
             break;
         }
     }
-    bind(project_, frame, host, store, projectors);
+    bind(project_, frame, host, kept, projectors);
     project_.set("uBest", kBestUnit);
     const gl::RenderToTexture2D* best = nullptr;
     for (int first = 0; first == 0 || first < cubes; first += perPass) {

@@ -9,6 +9,12 @@
 
 namespace aolib {
 
+/// What all cube maps keep.
+struct KeptTexels {
+    const FaceStore& faces;
+    const DetailStore& details;
+};
+
 /// Projects cube maps onto the host's view (thesis 4.4): best quality wins, close calls are
 /// blended.
 class Projection {
@@ -17,19 +23,19 @@ public:
     static Result<Projection> create(const BackboneContext& context);
 
     /// Sets what shaders/cubemap/projection.glsl and shaders/frame/host_surface.glsl read, on units
-    /// 0 to 2.
+    /// 0 to 5.
     static void bind(gl::GLSLShader& shader, const Frame& frame, const HostFramebuffer& host,
-                     const FaceStore& store, const std::vector<CubeMapProjector*>& projectors);
+                     const KeptTexels& kept, const std::vector<CubeMapProjector*>& projectors);
 
     /// Darkens the host's picture in a single pass.
     void shade(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,
-               const FaceStore& store, const std::vector<CubeMapProjector*>& projectors);
+               const KeptTexels& kept, const std::vector<CubeMapProjector*>& projectors);
 
     /// The same into a target whose texture 0 holds, per pixel, the weighted sum of W, log2 of
     /// quality, the face's code and the weight; in one pass, or to and fro between two targets.
     /// Errors: OutOfMemory.
     Result<const gl::RenderToTexture2D*> apply(const BackboneContext& context, const Frame& frame,
-                                               const HostFramebuffer& host, const FaceStore& store,
+                                               const HostFramebuffer& host, const KeptTexels& kept,
                                                const std::vector<CubeMapProjector*>& projectors);
     std::size_t bytes() const;
 

@@ -23,25 +23,105 @@ constexpr std::size_t kQueue = 512;
 /// Results that are taken before the clock is looked at again.
 constexpr std::size_t kAtATime = 4;
 
-// A request's key: cube map, tile and generation.
-constexpr unsigned kTileBits = 24;
+/// Texels of detail are traced with a fraction of a texel's rays, but with this many at least.
+constexpr int kDetailShare = 4;
+/// Two neighbouring texels are one surface when the second lies on the first's tangent plane to
+/// within this many footprints, their normals agree by this cosine, and W by this much.
+constexpr float kSmoothFootprints = 0.5F;
+constexpr float kSmoothCosine = 0.94F;
+constexpr float kSmoothVisibility = 0.3F;
+
+// A request's key: cube map, whether it is of detail, tile and generation.
+constexpr unsigned kTileBits = 23;
 constexpr unsigned kGenerationBits = 16;
 
-std::uint64_t keyOf(CubeMapId id, int tile, std::uint32_t generation) {
-    return (static_cast<std::uint64_t>(id) << (kTileBits + kGenerationBits)) |
-           (static_cast<std::uint64_t>(tile) << kGenerationBits) |
-           (generation & ((1U << kGenerationBits) - 1U));
+struct Key {
+    std::uint32_t cubeMap;
+    bool detail;
+    int tile;
+    std::uint32_t generation;
+
+    std::uint64_t packed() const {
+        return ((std::uint64_t{cubeMap} * 2U + (detail ? 1U : 0U)) << (kTileBits + kGenerationBits)) |
+               (static_cast<std::uint64_t>(tile) << kGenerationBits) | generation;
+    }
+    static Key unpacked(std::uint64_t key) {
+        const std::uint64_t top = key >> (kTileBits + kGenerationBits);
+        return {static_cast<std::uint32_t>(top / 2U), top % 2U == 1U,
+                static_cast<int>((key >> kGenerationBits) & ((1ULL << kTileBits) - 1ULL)),
+                static_cast<std::uint32_t>(key & ((1ULL << kGenerationBits) - 1ULL))};
+    }
+};
+
+std::uint32_t number(const CubeMapProjector& projector) {
+    return static_cast<std::uint32_t>(projector.id());
+}
+
+/// Whether surfaces end or bend within a tile, so that its texels do not show all of it.
+bool isRough(const TracedTexels& traced) {
+    const TexelRequest& request = traced.request;
+    const auto pointAt = [&](std::size_t i) {
+        const glm::vec2 at(request.x + static_cast<int>(i) % request.width,
+                           request.y + static_cast<int>(i) / request.width);
+        return traced.distance[i] *
+               glm::normalize(shared::faceDirection(
+                   request.face, (at + 0.5F) / static_cast<float>(request.faceSize)));
+    };
+    const auto differ = [&](std::size_t a, std::size_t b) {
+        if (traced.distance[a] < 0.0F || traced.distance[b] < 0.0F) {
+            return false;
+        }
+        const float footprint =
+            2.0F * traced.distance[a] / static_cast<float>(request.faceSize);
+        return glm::dot(traced.normal[a], traced.normal[b]) < kSmoothCosine ||
+               std::abs(glm::dot(traced.normal[a], pointAt(b) - pointAt(a))) >
+                   kSmoothFootprints * footprint ||
+               std::abs(traced.visibility[a] - traced.visibility[b]) > kSmoothVisibility;
+    };
+    const auto width = static_cast<std::size_t>(request.width);
+    for (std::size_t i = 0; i < traced.distance.size(); ++i) {
+        const bool right = i % width + 1 < width;
+        const bool above = i + width < traced.distance.size();
+        if ((right && differ(i, i + 1)) || (above && differ(i, i + width))) {
+            return true;
+        }
+    }
+    return false;
 }
 
 } // namespace
 
-int RayTracedTexels::raysAfter(int passes) const {
-    const int most = context_.options.rayTraced.rays;
+namespace {
+
+int raysAfterPasses(int passes, int most) {
     int rays = passes == 0 ? 0 : passes == 1 ? kFirstRays : kSecondRays;
     for (int pass = 2; pass < passes && rays < most; ++pass) {
         rays *= 2;
     }
     return std::min(rays, most);
+}
+
+} // namespace
+
+int RayTracedTexels::raysAfter(int passes) const {
+    return raysAfterPasses(passes, context_.options.rayTraced.rays);
+}
+
+int RayTracedTexels::detailRaysAfter(int passes) const {
+    const int most = context_.options.rayTraced.rays;
+    return raysAfterPasses(passes, std::max(most / kDetailShare, std::min(most, kFirstRays)));
+}
+
+int RayTracedTexels::detailPasses() const {
+    int count = 1;
+    while (detailRaysAfter(count) < detailRaysAfter(count + 1)) {
+        ++count;
+    }
+    return count;
+}
+
+bool RayTracedTexels::lacks(const CubeMapProjector& projector) const {
+    return projector.tiles.lacks(passes()) || projector.tiles.lacksDetail(detailPasses());
 }
 
 int RayTracedTexels::passes() const {
@@ -67,15 +147,20 @@ void RayTracedTexels::sceneChanged() {
     }
     tracer_.setScene(std::move(positions), std::move(indices));
     for (auto& [id, work] : works_) {
-        work.generation = ++generations_; // what was queued is lost
+        work.generation = nextGeneration(); // what was queued is lost
     }
     askedBefore_ = 0;
+}
+
+std::uint32_t RayTracedTexels::nextGeneration() {
+    generations_ = (generations_ + 1U) % (1U << kGenerationBits);
+    return generations_;
 }
 
 RayTracedTexels::Work& RayTracedTexels::workOf(CubeMapId id) {
     const auto [found, isNew] = works_.try_emplace(id);
     if (isNew) {
-        found->second.generation = ++generations_;
+        found->second.generation = nextGeneration();
     }
     return found->second;
 }
@@ -88,7 +173,7 @@ void RayTracedTexels::forget(CubeMapId id) {
 Status RayTracedTexels::complete(CubeMapProjector& projector) {
     projector.tiles.askAll();
     const std::vector<CubeMapProjector*> one{&projector};
-    while (projector.tiles.lacks(passes())) {
+    while (lacks(projector)) {
         request(one);
         tracer_.wait(1000.0);
         if (Status status = takeResults(one, HUGE_VAL); !status) {
@@ -113,18 +198,27 @@ Status RayTracedTexels::advance(const std::vector<CubeMapProjector*>& projectors
 
 void RayTracedTexels::request(const std::vector<CubeMapProjector*>& projectors) {
     struct Wanted {
-        int passes;
+        int passes; ///< that it has had; detail comes after the first pass of everything
+        bool detail;
         CubeMapProjector* projector;
         int tile;
     };
     std::vector<Wanted> wanted;
     int asked = 0;
+    const int most = passes();
+    const int mostOfDetail = detailPasses();
     for (CubeMapProjector* projector : projectors) {
-        for (int tile = 0; tile < projector->tiles.count(); ++tile) {
-            const bool isAsked = projector->tiles.asked(tile);
-            asked += isAsked ? 1 : 0;
-            if (isAsked && projector->tiles.passes(tile) < passes()) {
-                wanted.push_back({projector->tiles.passes(tile), projector, tile});
+        const TileProgress& tiles = projector->tiles;
+        for (int tile = 0; tile < tiles.count(); ++tile) {
+            asked += tiles.asked(tile) ? 1 : 0;
+            if (tiles.asked(tile) && tiles.passes(tile) < most) {
+                wanted.push_back({tiles.passes(tile), false, projector, tile});
+            }
+            if (tiles.needsDetail(tile)) {
+                asked += 1;
+                if (tiles.detailPasses(tile) < mostOfDetail) {
+                    wanted.push_back({tiles.detailPasses(tile) + 1, true, projector, tile});
+                }
             }
         }
     }
@@ -140,21 +234,24 @@ void RayTracedTexels::request(const std::vector<CubeMapProjector*>& projectors) 
     wanted.resize(std::min(wanted.size(), kQueue));
     std::vector<TexelRequest> queue;
     for (const Wanted& one : wanted) {
-        const TileProgress::Region region = one.projector->tiles.region(one.tile);
-        const int before = raysAfter(one.passes);
-        queue.push_back(
-            {.key = keyOf(one.projector->id(), one.tile, workOf(one.projector->id()).generation),
-             .centre = one.projector->position(),
-             .faceSize = one.projector->tiles.faceSize(),
-             .face = region.face,
-             .x = region.x,
-             .y = region.y,
-             .width = region.width,
-             .height = region.height,
-             .firstRay = before,
-             .rays = raysAfter(one.passes + 1) - before,
-             .radius = radius_,
-             .falloff = context_.options.falloff});
+        const CubeMapProjector& projector = *one.projector;
+        const TileProgress::Region region = projector.tiles.region(one.tile);
+        const int scale = one.detail ? DetailStore::kScale : 1;
+        const int before = one.detail ? detailRaysAfter(one.passes - 1) : raysAfter(one.passes);
+        const int after = one.detail ? detailRaysAfter(one.passes) : raysAfter(one.passes + 1);
+        const Key key{number(projector), one.detail, one.tile, workOf(projector.id()).generation};
+        queue.push_back({.key = key.packed(),
+                         .centre = projector.position(),
+                         .faceSize = scale * projector.tiles.faceSize(),
+                         .face = region.face,
+                         .x = scale * region.x,
+                         .y = scale * region.y,
+                         .width = scale * region.width,
+                         .height = scale * region.height,
+                         .firstRay = before,
+                         .rays = after - before,
+                         .radius = radius_,
+                         .falloff = context_.options.falloff});
     }
     queued_ = queue.size();
     tracer_.request(std::move(queue));
@@ -163,55 +260,107 @@ void RayTracedTexels::request(const std::vector<CubeMapProjector*>& projectors) 
 Status RayTracedTexels::takeResults(const std::vector<CubeMapProjector*>& projectors,
                                     double milliseconds) {
     const auto start = std::chrono::steady_clock::now();
-    double spent = 0.0;
     for (auto results = tracer_.take(kAtATime); !results.empty();
          results = tracer_.take(kAtATime)) {
         for (const TracedTexels& traced : results) {
-            const std::uint64_t key = traced.request.key;
+            const Key key = Key::unpacked(traced.request.key);
             const auto found =
                 std::find_if(projectors.begin(), projectors.end(), [&](const auto* projector) {
-                    return keyOf(projector->id(), 0, 0) >> (kTileBits + kGenerationBits) ==
-                           key >> (kTileBits + kGenerationBits);
+                    return number(*projector) == key.cubeMap;
                 });
-            if (found == projectors.end()) {
-                continue; // gone, or too far away meanwhile; it is asked for again when it is back
-            }
-            const auto tile =
-                static_cast<int>((key >> kGenerationBits) & ((1ULL << kTileBits) - 1ULL));
-            if (keyOf((*found)->id(), tile, workOf((*found)->id()).generation) != key) {
+            // One that is gone, or too far away meanwhile, is asked for again when it is back.
+            if (found == projectors.end() ||
+                workOf((*found)->id()).generation != key.generation) {
                 continue;
             }
-            if (Status status = take(**found, traced, tile); !status) {
+            Status status = key.detail ? takeDetail(**found, traced, key.tile)
+                                       : take(**found, traced, key.tile);
+            if (!status) {
                 return status;
             }
         }
-        spent = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-                    .count();
-        if (spent >= milliseconds) {
+        const std::chrono::duration<double, std::milli> spent =
+            std::chrono::steady_clock::now() - start;
+        if (spent.count() >= milliseconds) {
             break;
         }
     }
     return tracer_.status();
 }
 
-Status RayTracedTexels::take(CubeMapProjector& projector, const TracedTexels& traced, int tile) {
-    Tile& sums = workOf(projector.id()).tiles[tile];
+bool RayTracedTexels::add(Tile& sums, const TracedTexels& traced) {
     if (sums.sum.empty()) {
         sums.sum.resize(traced.visibility.size(), 0.0F);
     }
     if (traced.request.firstRay != sums.rays || sums.sum.size() != traced.visibility.size()) {
-        return {}; // traced twice
+        return false; // traced twice
     }
     for (std::size_t i = 0; i < sums.sum.size(); ++i) {
         sums.sum[i] += traced.visibility[i] * static_cast<float>(traced.request.rays);
     }
     sums.rays += traced.request.rays;
+    return true;
+}
+
+Status RayTracedTexels::take(CubeMapProjector& projector, const TracedTexels& traced, int tile) {
+    Work& work = workOf(projector.id());
+    Tile& sums = work.tiles[tile];
+    if (!add(sums, traced)) {
+        return {};
+    }
+    if (traced.request.firstRay == 0 && isRough(traced)) {
+        projector.tiles.setRough(tile);
+    }
     const Status status = upload(projector, traced, sums);
     projector.tiles.setPasses(tile, projector.tiles.passes(tile) + 1);
     if (projector.tiles.passes(tile) >= passes()) {
-        workOf(projector.id()).tiles.erase(tile);
+        work.tiles.erase(tile);
     }
     return status;
+}
+
+Status RayTracedTexels::takeDetail(CubeMapProjector& projector, const TracedTexels& traced,
+                                   int tile) {
+    Work& work = workOf(projector.id());
+    Tile& sums = work.details[tile];
+    if (!projector.keeps(traced.request.face) || !add(sums, traced)) {
+        return {};
+    }
+    const auto block = projector.detailOf(store_, details_, tile);
+    if (!block) {
+        return block.status();
+    }
+    const Codes codes = encode(projector, traced, sums);
+    details_.upload(*block, traced.request.width, traced.request.height, codes.visibility,
+                    codes.depth);
+    projector.tiles.setDetailPasses(tile, projector.tiles.detailPasses(tile) + 1);
+    if (projector.tiles.detailPasses(tile) >= detailPasses()) {
+        work.details.erase(tile);
+    }
+    return {};
+}
+
+RayTracedTexels::Codes RayTracedTexels::encode(const CubeMapProjector& projector,
+                                               const TracedTexels& traced, const Tile& tile) {
+    const TexelRequest& request = traced.request;
+    Codes codes{std::vector<std::uint8_t>(traced.distance.size(), 255),
+                std::vector<std::uint16_t>(traced.distance.size(), 0)};
+    const glm::vec2 code = projector.depthCode();
+    for (std::size_t i = 0; i < traced.distance.size(); ++i) {
+        if (traced.distance[i] < 0.0F) {
+            continue;
+        }
+        const auto column = static_cast<int>(i) % request.width;
+        const auto row = static_cast<int>(i) / request.width;
+        const glm::vec2 uv = (glm::vec2(request.x + column, request.y + row) + 0.5F) /
+                             static_cast<float>(request.faceSize);
+        const float along = traced.distance[i] / glm::length(shared::faceDirection(0, uv));
+        codes.visibility[i] = static_cast<std::uint8_t>(std::lround(
+            255.0F * std::clamp(tile.sum[i] / static_cast<float>(tile.rays), 0.0F, 1.0F)));
+        codes.depth[i] = static_cast<std::uint16_t>(
+            std::lround(65535.0F * shared::encodeDistance(along, code.x, code.y)));
+    }
+    return codes;
 }
 
 Status RayTracedTexels::upload(CubeMapProjector& projector, const TracedTexels& traced,
@@ -230,26 +379,10 @@ Status RayTracedTexels::upload(CubeMapProjector& projector, const TracedTexels& 
     if (Status status = projector.keepFace(store_, request.face); !status) {
         return status;
     }
-    std::vector<std::uint8_t> visibility(traced.distance.size(), 255);
-    std::vector<std::uint16_t> depth(traced.distance.size(), 0);
-    const glm::vec2 code = projector.depthCode();
-    for (std::size_t i = 0; i < traced.distance.size(); ++i) {
-        if (traced.distance[i] < 0.0F) {
-            continue;
-        }
-        const auto column = static_cast<int>(i) % request.width;
-        const auto row = static_cast<int>(i) / request.width;
-        const glm::vec2 uv = (glm::vec2(request.x + column, request.y + row) + 0.5F) /
-                             static_cast<float>(request.faceSize);
-        const float along = traced.distance[i] / glm::length(shared::faceDirection(0, uv));
-        visibility[i] = static_cast<std::uint8_t>(std::lround(
-            255.0F * std::clamp(tile.sum[i] / static_cast<float>(tile.rays), 0.0F, 1.0F)));
-        depth[i] = static_cast<std::uint16_t>(
-            std::lround(65535.0F * shared::encodeDistance(along, code.x, code.y)));
-    }
+    const Codes codes = encode(projector, traced, tile);
     store_.upload(projector.layer(request.face),
-                  {request.face, request.x, request.y, request.width, request.height}, visibility,
-                  depth);
+                  {request.face, request.x, request.y, request.width, request.height},
+                  codes.visibility, codes.depth);
     return {};
 }
 

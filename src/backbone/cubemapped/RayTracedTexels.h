@@ -14,8 +14,9 @@ namespace aolib {
 /// uploaded. Each pass continues the rays of a tile; the GPU does nothing but take the results.
 class RayTracedTexels final : public AbstractTexelSource {
 public:
-    RayTracedTexels(const BackboneContext& context, FaceStore& store, AbstractTexelTracer& tracer)
-        : context_(context), store_(store), tracer_(tracer) {}
+    RayTracedTexels(const BackboneContext& context, FaceStore& store, DetailStore& details,
+                    AbstractTexelTracer& tracer)
+        : context_(context), store_(store), details_(details), tracer_(tracer) {}
 
     /// Gives the tracer the scene as it is now.
     void sceneChanged();
@@ -25,6 +26,7 @@ public:
     int passes() const override;
     Status complete(CubeMapProjector& projector) override;
     Status advance(const std::vector<CubeMapProjector*>& projectors, double milliseconds) override;
+    bool lacks(const CubeMapProjector& projector) const override;
     void forget(CubeMapId id) override;
 
 private:
@@ -35,22 +37,38 @@ private:
     };
     struct Work {
         std::map<int, Tile> tiles;
+        std::map<int, Tile> details;
         std::uint32_t generation = 0; ///< results of another are out of date
         bool spans = false;           ///< the projector's code spans the scene as it is
     };
 
     /// Rays per texel after a number of passes.
     int raysAfter(int passes) const;
+    /// The same for texels of detail, which are so many more.
+    int detailRaysAfter(int passes) const;
+    int detailPasses() const;
+    std::uint32_t nextGeneration();
     Work& workOf(CubeMapId id);
     /// Asks for the next pass of every tile that lacks one, the poorest first.
     void request(const std::vector<CubeMapProjector*>& projectors);
     /// Takes what is finished until the time is up.
     Status takeResults(const std::vector<CubeMapProjector*>& projectors, double milliseconds);
     Status take(CubeMapProjector& projector, const TracedTexels& traced, int tile);
+    Status takeDetail(CubeMapProjector& projector, const TracedTexels& traced, int tile);
+    /// Adds a pass. @return false when it has been traced before.
+    static bool add(Tile& sums, const TracedTexels& traced);
+    /// Texels as they are kept.
+    struct Codes {
+        std::vector<std::uint8_t> visibility;
+        std::vector<std::uint16_t> depth;
+    };
+    static Codes encode(const CubeMapProjector& projector, const TracedTexels& traced,
+                        const Tile& tile);
     Status upload(CubeMapProjector& projector, const TracedTexels& traced, const Tile& tile);
 
     const BackboneContext context_;
     FaceStore& store_;
+    DetailStore& details_;
     AbstractTexelTracer& tracer_;
     float radius_ = 1.0F;
     std::map<CubeMapId, Work> works_;

@@ -50,7 +50,7 @@ Result<Survey> Survey::create(const BackboneContext& context) {
 }
 
 void Survey::take(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,
-                  const FaceStore& store, const std::vector<CubeMapProjector*>& projectors,
+                  const KeptTexels& kept, const std::vector<CubeMapProjector*>& projectors,
                   std::uint64_t frameNumber) {
     const gl::DebugGroup group(context.gl, "aolib: survey");
     for (Request& request : requests_) {
@@ -58,7 +58,7 @@ void Survey::take(const BackboneContext& context, const Frame& frame, const Host
             continue;
         }
         target_.begin(0);
-        Projection::bind(shader_, frame, host, store, projectors);
+        Projection::bind(shader_, frame, host, kept, projectors);
         shader_.set("uTargetSize", glm::vec2(kSize));
         shader_.set("uOffset", offsetOf(frameNumber));
         context.generated.drawFullscreen();
@@ -71,14 +71,15 @@ void Survey::take(const BackboneContext& context, const Frame& frame, const Host
 }
 
 Survey::Answer Survey::evaluate(const Request& request, std::span<const std::uint8_t> pixels) {
-    Answer answer{.frame = request.frame, .eye = request.eye, .points = {}};
+    Answer answer{.frame = request.frame, .eye = request.eye, .points = {}, .footprints = {}};
     std::size_t shaded = 0;
     for (std::size_t i = 0; i + sizeof(glm::vec4) <= pixels.size(); i += sizeof(glm::vec4)) {
         glm::vec4 sample;
         std::memcpy(&sample, pixels.data() + i, sizeof(sample));
-        if (sample.w > 0.5F) {
+        if (sample.w != 0.0F) {
             answer.points.emplace_back(sample);
-            shaded += sample.w > 1.5F ? 1 : 0;
+            answer.footprints.push_back(std::abs(sample.w));
+            shaded += sample.w > 0.0F ? 1 : 0;
         }
     }
     answer.shaded = answer.points.empty()

@@ -19,7 +19,7 @@ public:
 
     /// Starts sampling this frame, unless all readbacks are still on their way.
     void take(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,
-              const FaceStore& store, const std::vector<CubeMapProjector*>& projectors,
+              const KeptTexels& kept, const std::vector<CubeMapProjector*>& projectors,
               std::uint64_t frameNumber);
 
     struct Answer {
@@ -27,6 +27,7 @@ public:
         float shaded = 1.0F;           ///< share of the surfaces; 1 when there are none
         glm::dvec3 eye{0.0};           ///< of that frame, world units
         std::vector<glm::vec3> points; ///< of the surfaces, relative to the eye, world axes
+        std::vector<float> footprints; ///< what a pixel covers there, square on, world units
     };
     /// The newest answer that has arrived since the last call, if any.
     std::optional<Answer> poll();

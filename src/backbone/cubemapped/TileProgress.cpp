@@ -44,6 +44,22 @@ void TileProgress::ask(int face, const glm::vec2& at) {
     }
 }
 
+void TileProgress::askFine(int face, const glm::vec2& at) {
+    const glm::ivec2 tile =
+        glm::clamp(glm::ivec2(at) / kTile, glm::ivec2(0), glm::ivec2(perEdge_ - 1));
+    tiles_[static_cast<std::size_t>((face * perEdge_ + tile.y) * perEdge_ + tile.x)].fine = true;
+}
+
+void TileProgress::setDetailPasses(int tile, int passes) {
+    tiles_[static_cast<std::size_t>(tile)].detailPasses = static_cast<std::uint16_t>(passes);
+}
+
+bool TileProgress::lacksDetail(int passes) const {
+    return std::any_of(tiles_.begin(), tiles_.end(), [&](const Tile& tile) {
+        return tile.fine && tile.rough && tile.detailPasses < passes;
+    });
+}
+
 void TileProgress::askAll() {
     for (Tile& tile : tiles_) {
         tile.asked = true;
@@ -83,6 +99,8 @@ std::vector<int> TileProgress::mostUrgent(int most) const {
 void TileProgress::restart() {
     for (Tile& tile : tiles_) {
         tile.passes = 0;
+        tile.rough = false;
+        tile.detailPasses = 0;
     }
 }
 

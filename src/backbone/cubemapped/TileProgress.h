@@ -44,13 +44,29 @@ public:
     bool lacks(int passes) const;
     /// The tiles that are asked for and have had the fewest passes, below `most`.
     std::vector<int> mostUrgent(int most) const;
+    // ---- Detail: tiles that a view shows finer than their texels, and in which surfaces end.
+
+    /// Asks for detail where the tile turns out to be rough.
+    void askFine(int face, const glm::vec2& at);
+    void setRough(int tile) { tiles_[static_cast<std::size_t>(tile)].rough = true; }
+    bool needsDetail(int tile) const {
+        const Tile& t = tiles_[static_cast<std::size_t>(tile)];
+        return t.fine && t.rough;
+    }
+    int detailPasses(int tile) const { return tiles_[static_cast<std::size_t>(tile)].detailPasses; }
+    void setDetailPasses(int tile, int passes);
+    bool lacksDetail(int passes) const;
+
     /// Nothing is computed any more; what was asked for stays.
     void restart();
 
 private:
     struct Tile {
         bool asked = false;
+        bool fine = false;
+        bool rough = false;
         std::uint16_t passes = 0;
+        std::uint16_t detailPasses = 0;
     };
     void askTile(int face, int column, int row);
 

@@ -65,7 +65,8 @@ Result<AbstractTexelSource*> BackboneCubemapped::source() {
                           "createTexelTracer() of aolib/RayTracing.h makes it");
         }
         if (!traced_) {
-            traced_ = std::make_unique<RayTracedTexels>(context_, store_, details_, *context_.tracer);
+            traced_ =
+                std::make_unique<RayTracedTexels>(context_, store_, details_, *context_.tracer);
             traced_->sceneChanged();
             traced_->setRadius(radius());
         }

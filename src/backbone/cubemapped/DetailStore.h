@@ -10,8 +10,8 @@
 
 namespace aolib {
 
-/// Texels of tiles that are kept finer than their face: blocks of one size in two array textures, as
-/// many as there are such tiles.
+/// Texels of tiles that are kept finer than their face: blocks of one size in two array textures,
+/// as many as there are such tiles.
 class DetailStore {
 public:
     static constexpr int kScale = 4; ///< texels of detail along a face's texel
@@ -19,8 +19,8 @@ public:
 
     explicit DetailStore(const gl::Functions& gl) : gl_(&gl) {}
 
-    /// A block whose content is not defined. Errors: MissingCapability, OutOfMemory; then the store is
-    /// as before.
+    /// A block whose content is not defined. Errors: MissingCapability, OutOfMemory; then the store
+    /// is as before.
     Result<int> take();
     void giveBack(int block);
     /// Replaces a block's texels, `width` of them along a row, row 0 at the bottom.

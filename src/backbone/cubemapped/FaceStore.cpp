@@ -25,11 +25,9 @@ void FaceStore::reset(int faceSize) {
 Status FaceStore::grow() {
     const int layers = static_cast<int>(used_.size()) + kGrowth;
     const auto create = [&](Format format, int size, const char* label) {
-        return gl::TextureStack::create(*gl_, {.width = size,
-                                               .height = size,
-                                               .layers = layers,
-                                               .format = format,
-                                               .label = label});
+        return gl::TextureStack::create(
+            *gl_,
+            {.width = size, .height = size, .layers = layers, .format = format, .label = label});
     };
     if (!framebuffer_) {
         framebuffer_ = gl::generate<gl::Framebuffer>(*gl_, &gl::Functions::GenFramebuffers);
@@ -77,7 +75,8 @@ Result<int> FaceStore::take() {
     begin(layer);
     gl_->ClearBufferfv(GL_COLOR, 0, open.data());
     gl_->ClearBufferfv(GL_COLOR, 1, nothing.data());
-    const std::vector<std::uint16_t> none(static_cast<std::size_t>(tilesPerEdge() * tilesPerEdge()));
+    const std::vector<std::uint16_t> none(
+        static_cast<std::size_t>(tilesPerEdge() * tilesPerEdge()));
     pages_.upload(layer, {0, 0}, {tilesPerEdge(), tilesPerEdge()}, none.data());
     return layer;
 }

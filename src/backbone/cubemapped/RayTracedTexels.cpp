@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -23,8 +24,6 @@ constexpr std::size_t kQueue = 512;
 /// Results that are taken before the clock is looked at again.
 constexpr std::size_t kAtATime = 4;
 
-/// Texels of detail are traced with a fraction of a texel's rays, but with this many at least.
-constexpr int kDetailShare = 4;
 /// Two neighbouring texels are one surface when the second lies on the first's tangent plane to
 /// within this many footprints, their normals agree by this cosine, and W by this much.
 constexpr float kSmoothFootprints = 0.5F;
@@ -42,7 +41,8 @@ struct Key {
     std::uint32_t generation;
 
     std::uint64_t packed() const {
-        return ((std::uint64_t{cubeMap} * 2U + (detail ? 1U : 0U)) << (kTileBits + kGenerationBits)) |
+        return ((std::uint64_t{cubeMap} * 2U + (detail ? 1U : 0U))
+                << (kTileBits + kGenerationBits)) |
                (static_cast<std::uint64_t>(tile) << kGenerationBits) | generation;
     }
     static Key unpacked(std::uint64_t key) {
@@ -71,8 +71,7 @@ bool isRough(const TracedTexels& traced) {
         if (traced.distance[a] < 0.0F || traced.distance[b] < 0.0F) {
             return false;
         }
-        const float footprint =
-            2.0F * traced.distance[a] / static_cast<float>(request.faceSize);
+        const float footprint = 2.0F * traced.distance[a] / static_cast<float>(request.faceSize);
         return glm::dot(traced.normal[a], traced.normal[b]) < kSmoothCosine ||
                std::abs(glm::dot(traced.normal[a], pointAt(b) - pointAt(a))) >
                    kSmoothFootprints * footprint ||
@@ -91,9 +90,8 @@ bool isRough(const TracedTexels& traced) {
 
 } // namespace
 
-namespace {
-
-int raysAfterPasses(int passes, int most) {
+int RayTracedTexels::raysAfter(int passes) const {
+    const int most = context_.options.rayTraced.rays;
     int rays = passes == 0 ? 0 : passes == 1 ? kFirstRays : kSecondRays;
     for (int pass = 2; pass < passes && rays < most; ++pass) {
         rays *= 2;
@@ -101,27 +99,8 @@ int raysAfterPasses(int passes, int most) {
     return std::min(rays, most);
 }
 
-} // namespace
-
-int RayTracedTexels::raysAfter(int passes) const {
-    return raysAfterPasses(passes, context_.options.rayTraced.rays);
-}
-
-int RayTracedTexels::detailRaysAfter(int passes) const {
-    const int most = context_.options.rayTraced.rays;
-    return raysAfterPasses(passes, std::max(most / kDetailShare, std::min(most, kFirstRays)));
-}
-
-int RayTracedTexels::detailPasses() const {
-    int count = 1;
-    while (detailRaysAfter(count) < detailRaysAfter(count + 1)) {
-        ++count;
-    }
-    return count;
-}
-
 bool RayTracedTexels::lacks(const CubeMapProjector& projector) const {
-    return projector.tiles.lacks(passes()) || projector.tiles.lacksDetail(detailPasses());
+    return projector.tiles.lacks(passes()) || projector.tiles.lacksDetail(passes());
 }
 
 int RayTracedTexels::passes() const {
@@ -198,7 +177,7 @@ Status RayTracedTexels::advance(const std::vector<CubeMapProjector*>& projectors
 
 void RayTracedTexels::request(const std::vector<CubeMapProjector*>& projectors) {
     struct Wanted {
-        int passes; ///< that it has had; detail comes after the first pass of everything
+        int passes; ///< that it has had
         bool detail;
         CubeMapProjector* projector;
         int tile;
@@ -206,7 +185,6 @@ void RayTracedTexels::request(const std::vector<CubeMapProjector*>& projectors) 
     std::vector<Wanted> wanted;
     int asked = 0;
     const int most = passes();
-    const int mostOfDetail = detailPasses();
     for (CubeMapProjector* projector : projectors) {
         const TileProgress& tiles = projector->tiles;
         for (int tile = 0; tile < tiles.count(); ++tile) {
@@ -216,8 +194,8 @@ void RayTracedTexels::request(const std::vector<CubeMapProjector*>& projectors) 
             }
             if (tiles.needsDetail(tile)) {
                 asked += 1;
-                if (tiles.detailPasses(tile) < mostOfDetail) {
-                    wanted.push_back({tiles.detailPasses(tile) + 1, true, projector, tile});
+                if (tiles.detailPasses(tile) < most) {
+                    wanted.push_back({tiles.detailPasses(tile), true, projector, tile});
                 }
             }
         }
@@ -229,16 +207,17 @@ void RayTracedTexels::request(const std::vector<CubeMapProjector*>& projectors) 
         return;
     }
     askedBefore_ = asked;
-    std::stable_sort(wanted.begin(), wanted.end(),
-                     [](const Wanted& a, const Wanted& b) { return a.passes < b.passes; });
+    std::stable_sort(wanted.begin(), wanted.end(), [](const Wanted& a, const Wanted& b) {
+        // Among equals, what the whole view lacks before what its edges lack.
+        return std::pair(a.passes, a.detail) < std::pair(b.passes, b.detail);
+    });
     wanted.resize(std::min(wanted.size(), kQueue));
     std::vector<TexelRequest> queue;
     for (const Wanted& one : wanted) {
         const CubeMapProjector& projector = *one.projector;
         const TileProgress::Region region = projector.tiles.region(one.tile);
         const int scale = one.detail ? DetailStore::kScale : 1;
-        const int before = one.detail ? detailRaysAfter(one.passes - 1) : raysAfter(one.passes);
-        const int after = one.detail ? detailRaysAfter(one.passes) : raysAfter(one.passes + 1);
+        const int before = raysAfter(one.passes);
         const Key key{number(projector), one.detail, one.tile, workOf(projector.id()).generation};
         queue.push_back({.key = key.packed(),
                          .centre = projector.position(),
@@ -249,7 +228,7 @@ void RayTracedTexels::request(const std::vector<CubeMapProjector*>& projectors) 
                          .width = scale * region.width,
                          .height = scale * region.height,
                          .firstRay = before,
-                         .rays = after - before,
+                         .rays = raysAfter(one.passes + 1) - before,
                          .radius = radius_,
                          .falloff = context_.options.falloff});
     }
@@ -269,8 +248,7 @@ Status RayTracedTexels::takeResults(const std::vector<CubeMapProjector*>& projec
                     return number(*projector) == key.cubeMap;
                 });
             // One that is gone, or too far away meanwhile, is asked for again when it is back.
-            if (found == projectors.end() ||
-                workOf((*found)->id()).generation != key.generation) {
+            if (found == projectors.end() || workOf((*found)->id()).generation != key.generation) {
                 continue;
             }
             Status status = key.detail ? takeDetail(**found, traced, key.tile)
@@ -334,7 +312,7 @@ Status RayTracedTexels::takeDetail(CubeMapProjector& projector, const TracedTexe
     details_.upload(*block, traced.request.width, traced.request.height, codes.visibility,
                     codes.depth);
     projector.tiles.setDetailPasses(tile, projector.tiles.detailPasses(tile) + 1);
-    if (projector.tiles.detailPasses(tile) >= detailPasses()) {
+    if (projector.tiles.detailPasses(tile) >= passes()) {
         work.details.erase(tile);
     }
     return {};

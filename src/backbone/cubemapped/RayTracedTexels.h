@@ -44,9 +44,6 @@ private:
 
     /// Rays per texel after a number of passes.
     int raysAfter(int passes) const;
-    /// The same for texels of detail, which are so many more.
-    int detailRaysAfter(int passes) const;
-    int detailPasses() const;
     std::uint32_t nextGeneration();
     Work& workOf(CubeMapId id);
     /// Asks for the next pass of every tile that lacks one, the poorest first.

@@ -85,7 +85,8 @@ public:
 
     // ---- Cube maps -------------------------------------------------------------------------
 
-    /// Places a cube map; its ambient occlusion is computed before this call returns.
+    /// Places a cube map. Without a frame budget its ambient occlusion is computed before this call
+    /// returns, else over the frames to come.
     /// @param position  world units; moved to free space if it lies on a surface.
     /// Errors: InvalidCallOrder (the backbone keeps no cube maps), InvalidPosition, NoScene,
     /// MissingCapability, OutOfMemory. Context. Thesis 4.2.1. Since 0.1.

@@ -84,7 +84,7 @@ void visitOptions(OptionsType& o, Visitor&& visit) {
     visit("projection", o.cubeMaps.projection, kProjectionMethodChoices,
           "how cube maps reach the picture");
     visit("outlines", o.cubeMaps.outlines, "draw a wire cube where each cube map stands");
-    visit("blur", o.blur.enabled, "edge-aware blur");
+    visit("blur", o.blur.enabled, "edge-aware blur of horizon-split and of screen space");
     visit("blur-size", o.blur.size, OptionRange{1, 15}, "edge length of the blur, pixels, odd");
     visit("debug-view", o.debugView, kDebugViewChoices, "picture shown instead of the composite");
 }

@@ -78,7 +78,7 @@ struct CubeMapOptions {
     bool outlines = false; ///< draw a small wire cube where each cube map stands
 };
 
-/// The edge-aware blur of the projected ambient occlusion.
+/// The edge-aware blur of what is noisy: horizon split, and all that is computed in screen space.
 struct BlurOptions {
     bool enabled = true;
     int size = 7; ///< pixels along the filter's edge, odd, 1 to 15

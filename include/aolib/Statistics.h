@@ -19,7 +19,7 @@ struct CubeMapInfo {
     int layers = 0;        ///< layers of solid intervals that the last build captured
     std::size_t bytes = 0; ///< GPU memory kept
     std::size_t captureBytes = 0; ///< GPU memory that the last build took and gave back
-    double buildMs = 0.0;   ///< CPU time from the start of its build until GL took the last command
+    double buildMs = 0.0; ///< CPU time of the library's calls that computed it, since it last began
     double buildGpuMs = -1; ///< GPU time of the last build; -1 until the timer query has answered
 };
 
@@ -30,6 +30,7 @@ struct Statistics {
     std::uint64_t coverageFrame = 0; ///< the frame that `coverage` was counted in
     int cubeMapsProjected = 0;       ///< in the latest frame
     int cubeMapsBuilt = 0;           ///< in the latest frame, placed or rebuilt
+    float computed = 1.0F;           ///< share of the passes that the latest frame's cube maps need
     bool converged = true;           ///< nothing is left to compute for what the latest frame shows
     double frameGpuMs = -1.0;   ///< GPU time of aolib's passes in an earlier frame; -1 until known
     std::size_t bytesKept = 0;  ///< GPU memory of all cube maps

@@ -1,4 +1,4 @@
-// Distances along a texel's ray kept in 16 bits: code = 1 + 65534 * log(d / nearest) / log(farthest /
+// Depths of texels along their face's axis kept in 16 bits: code = 1 + 65534 * log(d / nearest) / log(farthest /
 // nearest), 0 = nothing was hit. The relative error is the same everywhere, at most
 // (farthest / nearest)^(1 / 131068) - 1: 5e-5 for a range of 1 to 1000.
 #ifdef __cplusplus

@@ -36,9 +36,6 @@ constexpr int kWidth = 960;
 constexpr int kHeight = 540;
 constexpr int kDemoRays = 128;
 constexpr int kMostPixels = 4096;
-/// The better estimator, at faces that a software rasteriser builds in seconds.
-constexpr Estimator kEstimator = Estimator::LayeredIntervals;
-constexpr int kFaceSize = 256;
 
 struct DemoFlags {
     OptionFlags options;
@@ -114,16 +111,6 @@ MaybeFailure writePictures(const std::string& folder, const std::string& name,
     return files.commit();
 }
 
-/// The demo's own choices where the command line made none.
-void choose(const OptionFlags& given, Options& options) {
-    if (!given.given("estimator")) {
-        options.estimator = kEstimator;
-    }
-    if (!given.given("face-size")) {
-        options.cubeMaps.faceSize = kFaceSize;
-    }
-}
-
 Outcome<DemoRow> showScene(const DemoFlags& flags, const GlSession& session,
                            const std::string& scene, Progress& progress) {
     progress.begin(fs::path(scene).filename().string() + ": opening");
@@ -143,7 +130,6 @@ Outcome<DemoRow> showScene(const DemoFlags& flags, const GlSession& session,
     job.height = view.height;
     job.normals = view.normals;
     job.options = resolveOptions(view, flags.options);
-    choose(flags.options, job.options);
     Outcome<RenderResult> result = render(session, view.model, job, progress);
     if (!result) {
         return result.failure();
@@ -244,11 +230,10 @@ void addDemoCommand(CLI::App& program, MaybeFailure& failure) {
     number("--height", flags->height, 1, kMostPixels, "height of the pictures");
     flags->options.attach(*command);
     flags->gl.attach(*command);
-    command->footer(
-        "Without --estimator and --face-size: layered-intervals with faces of 256 texels.\n"
-        "Examples:\n"
-        "  aolib demo --out out\n"
-        "  aolib demo --out out --models ~/models --rays 256 --radius 5%");
+    command->footer("Without --estimator: ray-traced.\n"
+                    "Examples:\n"
+                    "  aolib demo --out out\n"
+                    "  aolib demo --out out --models ~/models --rays 256 --radius 5%");
     command->callback([flags, &failure] { failure = demo(*flags); });
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <string>
+#include <thread>
 #include <utility>
 
 #include <aolib/AmbientOcclusion.h>
@@ -21,6 +23,8 @@ constexpr int kFewestTimedFrames = 3;
 constexpr double kTimingBudgetMs = 3000.0;
 /// Frames granted beyond those asked for, while cube maps still appear or coverage is not known.
 constexpr int kExtraFrames = 8;
+/// Between frames while cube maps are computed: the tracer's workers have better use for the time.
+constexpr std::chrono::milliseconds kPause{20};
 
 double millisecondsSince(Clock::time_point begin) {
     return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
@@ -45,9 +49,9 @@ struct FrameTime {
 class JobRunner {
 public:
     JobRunner(const GlSession& session, const RenderJob& job, AmbientOcclusion ao,
-              host::HostRenderer renderer, host::HostFramebuffer target)
-        : gl_(session.gl()), job_(job), ao_(std::move(ao)), renderer_(std::move(renderer)),
-          target_(std::move(target)), view_(viewMatrix(job.camera)),
+              host::HostRenderer renderer, host::HostFramebuffer target, Progress& progress)
+        : gl_(session.gl()), job_(job), progress_(progress), ao_(std::move(ao)),
+          renderer_(std::move(renderer)), target_(std::move(target)), view_(viewMatrix(job.camera)),
           projection_(projectionMatrix(job.camera, static_cast<float>(job.width) /
                                                        static_cast<float>(job.height))) {}
 
@@ -64,6 +68,7 @@ private:
 
     const gl::Functions& gl_;
     const RenderJob& job_;
+    Progress& progress_;
     AmbientOcclusion ao_;
     host::HostRenderer renderer_;
     host::HostFramebuffer target_;
@@ -71,6 +76,7 @@ private:
     glm::mat4 projection_;
     std::vector<FrameTime> frames_;
     double handBuildMs_ = 0.0;
+    double convergedMs_ = 0.0; ///< wall clock until all was computed, where it takes many frames
 };
 
 Status JobRunner::run(RenderResult& result) {
@@ -135,13 +141,25 @@ Status JobRunner::drawUntilSettled() {
         return job_.options.backbone != Backbone::Cubemapped ||
                (!frames_.back().built && ao_.statistics().coverage >= 0.0F);
     };
-    const int most = job_.frames + kExtraFrames;
-    for (int frame = 0; frame < most && (frame < job_.frames || !settled()); ++frame) {
+    const Clock::time_point begin = Clock::now();
+    int extra = 0;
+    for (int frame = 0;; ++frame) {
         if (Status status = drawFrame(); !status) {
             return status;
         }
+        const bool converged = ao_.statistics().converged;
+        const bool progressive = job_.options.frameBudget > 0.0F;
+        if (!converged && progressive) {
+            progress_.update(static_cast<double>(ao_.statistics().computed));
+            convergedMs_ = millisecondsSince(begin);
+            std::this_thread::sleep_for(kPause);
+            continue;
+        }
+        extra += frame >= job_.frames ? 1 : 0;
+        if (frame + 1 >= job_.frames && (settled() || extra >= kExtraFrames)) {
+            return {};
+        }
     }
-    return {};
 }
 
 Status JobRunner::drawTimed() {
@@ -168,9 +186,10 @@ void JobRunner::countUp(RenderResult& result) const {
     }
     result.aoMs = median(std::move(ao));
     result.hostMs = median(std::move(host));
-    result.buildMs = handBuildMs_;
+    result.buildMs = handBuildMs_ + convergedMs_;
     for (const FrameTime& frame : frames_) {
-        result.buildMs += frame.built ? std::max(frame.aoMs - result.aoMs, 0.0) : 0.0;
+        result.buildMs +=
+            frame.built && convergedMs_ <= 0.0 ? std::max(frame.aoMs - result.aoMs, 0.0) : 0.0;
     }
     const Statistics statistics = ao_.statistics();
     result.cubeMaps = ao_.cubeMaps().size();
@@ -247,7 +266,8 @@ Outcome<RenderResult> render(const GlSession& session, const Model& model, const
         return failureOf(target.status());
     }
     RenderResult result;
-    JobRunner runner(session, job, std::move(*ao), std::move(*renderer), std::move(*target));
+    JobRunner runner(session, job, std::move(*ao), std::move(*renderer), std::move(*target),
+                     progress);
     if (const Status status = runner.run(result); !status) {
         return failureOf(status);
     }

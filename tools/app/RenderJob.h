@@ -36,7 +36,7 @@ struct RenderResult {
     FloatImage visibility;                ///< W, background -1
     std::vector<ByteImage> debugPictures; ///< one per debug view asked for
     std::size_t cubeMaps = 0;
-    double buildMs = 0.0; ///< all cube maps together
+    double buildMs = 0.0; ///< all cube maps together, until they are complete
     double aoMs = 0.0;    ///< per frame, what aolib adds; median
     double hostMs = 0.0;  ///< per frame, the host's own drawing; median
     double coverage = -1; ///< share of shaded pixels, -1 where not known

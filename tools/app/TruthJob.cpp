@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "reference/PictureTracer.h"
 #include "raytracing/RayScene.h"
+#include "reference/PictureTracer.h"
 
 namespace aolib::app {
 

@@ -1,5 +1,7 @@
 #include "host/AoInstance.h"
 
+#include <algorithm>
+#include <thread>
 #include <utility>
 
 #include <aolib/RayTracing.h>
@@ -11,7 +13,9 @@ Result<AmbientOcclusion> createInstance(const ProcAddressLoader& loader, const O
     if (!ao) {
         return ao;
     }
-    auto tracer = createTexelTracer();
+    // All cores: a tool waits for the result.
+    auto tracer =
+        createTexelTracer(static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
     if (!tracer) {
         return tracer.status();
     }

@@ -1,6 +1,7 @@
 #include "backbone/cubemapped/BackboneCubemapped.h"
 
 #include <algorithm>
+#include <chrono>
 #include <string>
 
 #include <glm/geometric.hpp>
@@ -185,6 +186,11 @@ void BackboneCubemapped::markAllDirty() {
 }
 
 void BackboneCubemapped::optionsChanged(const Options& before) {
+    if (before.estimator != context_.options.estimator) {
+        for (const auto& projector : projectors_) {
+            forget(projector->id()); // what another source holds
+        }
+    }
     if (!sameEstimate(before, context_.options)) { // the radius is watched where it is used
         markAllDirty();
     }
@@ -307,6 +313,7 @@ Status BackboneCubemapped::compute(const std::vector<CubeMapProjector*>& project
         }
         forget(projector->id());
         projector->dropDetails(store_, details_);
+        projector->buildMs = 0.0;
         projector->tiles.restart();
         if (atOnce()) {
             projector->tiles.askAll();
@@ -317,9 +324,18 @@ Status BackboneCubemapped::compute(const std::vector<CubeMapProjector*>& project
         projector->dirty = false;
         ++builtInFrame_;
     }
-    Status status;
-    if (!atOnce()) {
-        status = (*texels)->advance(projectors, static_cast<double>(context_.options.frameBudget));
+    if (atOnce()) {
+        return {};
+    }
+    const auto lacking = std::find_if(projectors.begin(), projectors.end(),
+                                      [&](const auto* one) { return (*texels)->lacks(*one); });
+    const auto start = std::chrono::steady_clock::now();
+    Status status =
+        (*texels)->advance(projectors, static_cast<double>(context_.options.frameBudget));
+    if (lacking != projectors.end()) { // the one that is worked on
+        const std::chrono::duration<double, std::milli> spent =
+            std::chrono::steady_clock::now() - start;
+        (*lacking)->buildMs += spent.count();
     }
     return status;
 }
@@ -403,6 +419,15 @@ void BackboneCubemapped::addStatistics(Statistics& statistics) {
     statistics.cubeMapsProjected = static_cast<int>(projected_.size());
     statistics.cubeMapsBuilt = builtInFrame_;
     statistics.converged = converged_;
+    TileProgress::Share sum;
+    for (const CubeMapProjector* projector : projected_) {
+        const TileProgress::Share share = projector->tiles.share(passes_);
+        sum.done += share.done;
+        sum.needed += share.needed;
+    }
+    statistics.computed = sum.needed > 0
+                              ? static_cast<float>(sum.done) / static_cast<float>(sum.needed)
+                              : statistics.computed;
     statistics.bytesFrame += projection_->bytes();
     statistics.bytesScene = sceneGeometry_.bytes();
     statistics.bytesKept = store_.bytes() + details_.bytes();

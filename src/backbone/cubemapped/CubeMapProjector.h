@@ -65,7 +65,7 @@ public:
     TileProgress tiles;
     /// The scene or the options changed what it sees: compute again before the next use.
     bool dirty = true;
-    /// Each tile that was asked for has had its first pass: it may be shown.
+    /// Each tile that was asked for has had its first passes: it may be shown.
     bool shown = false;
     float bias = kNewcomer;       ///< added to log2 of its quality; 0 once it has come in
     int captured = 0;             ///< solid intervals captured along a ray, at most

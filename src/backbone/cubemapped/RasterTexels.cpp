@@ -100,19 +100,16 @@ int RasterTexels::quota(double milliseconds) {
 
 Status RasterTexels::advance(const std::vector<CubeMapProjector*>& projectors,
                              double milliseconds) {
-    const auto start = std::chrono::steady_clock::now();
     for (auto& [id, work] : captures_) {
         ++work.idleFrames;
     }
     int units = quota(milliseconds);
     const int allowed = units;
-    CubeMapProjector* worked = nullptr;
     const bool timed = !timer_.pending() && unitsTimed_ == 0;
     for (CubeMapProjector* projector : projectors) {
         if (units <= 0 || !projector->tiles.lacks(passes())) {
             continue;
         }
-        worked = projector;
         if (captures_.find(projector->id()) == captures_.end()) {
             // A capture is a unit of work that fills a frame by itself.
             if (const auto work = workOf(*projector); !work) {
@@ -136,11 +133,6 @@ Status RasterTexels::advance(const std::vector<CubeMapProjector*>& projectors,
     }
     std::erase_if(captures_,
                   [](const auto& entry) { return entry.second.idleFrames > kIdleFrames; });
-    if (worked != nullptr) {
-        worked->buildMs +=
-            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-                .count();
-    }
     return {};
 }
 

@@ -13,6 +13,9 @@ namespace {
 /// sparsely, and lookups are bilinear.
 constexpr float kNear = 8.0F;
 
+/// Texels of detail per texel.
+constexpr std::int64_t kDetailWeight = 16;
+
 } // namespace
 
 TileProgress::TileProgress(int faceSize)
@@ -58,6 +61,21 @@ bool TileProgress::lacksDetail(int passes) const {
     return std::any_of(tiles_.begin(), tiles_.end(), [&](const Tile& tile) {
         return tile.fine && tile.rough && tile.detailPasses < passes;
     });
+}
+
+TileProgress::Share TileProgress::share(int passes) const {
+    Share share;
+    for (const Tile& tile : tiles_) {
+        if (tile.asked) {
+            share.done += tile.passes;
+            share.needed += passes;
+        }
+        if (tile.fine && tile.rough) { // so many more texels
+            share.done += kDetailWeight * tile.detailPasses;
+            share.needed += kDetailWeight * passes;
+        }
+    }
+    return share;
 }
 
 void TileProgress::askAll() {

@@ -57,6 +57,13 @@ public:
     void setDetailPasses(int tile, int passes);
     bool lacksDetail(int passes) const;
 
+    /// Passes that what is asked for has had, and those that it needs when each needs so many.
+    struct Share {
+        std::int64_t done = 0;
+        std::int64_t needed = 0;
+    };
+    Share share(int passes) const;
+
     /// Nothing is computed any more; what was asked for stays.
     void restart();
 

@@ -21,7 +21,8 @@ enum class Backbone : std::uint8_t {
 enum class Estimator : std::uint8_t {
     HorizonSplit,     ///< thesis 4.3.1: the highest horizon over a number of directions
     LayeredIntervals, ///< slices through the cube's centre over layers of solid intervals
-    RayTraced, ///< rays, on worker threads in the background; needs a texel tracer (setTexelTracer)
+    RayTraced, ///< rays, on worker threads in the background, about geometric normals; needs a
+               ///< texel tracer (AmbientOcclusion::setTexelTracer)
 };
 
 /// How cube maps reach the host's picture. Both give the same pixels.

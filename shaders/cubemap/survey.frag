@@ -5,7 +5,6 @@
 #include "cubemap/projection.glsl"
 
 uniform vec2 uTargetSize;
-uniform vec2 uOffset; // of the sample in its cell, 0 to 1
 uniform int uCubes;
 
 // From the eye to the surface, world axes; what the pixel covers there, world units, negative where no
@@ -13,7 +12,7 @@ uniform int uCubes;
 layout(location = 0) out vec4 outSample;
 
 void main() {
-    ivec2 pixel = ivec2((gl_FragCoord.xy - 0.5 + uOffset) / uTargetSize * uViewSize);
+    ivec2 pixel = ivec2(gl_FragCoord.xy / uTargetSize * uViewSize);
     outSample = vec4(0.0);
     HostSurface surface;
     if (!hostSurface(pixel, surface)) {

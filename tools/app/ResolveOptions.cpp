@@ -7,8 +7,8 @@ namespace {
 /// What the library takes for a radius of 0, as a share of the diagonal.
 constexpr double kDefaultRadius = 0.1;
 /// The estimators that the tools take where the command line names none: the most accurate ones.
-constexpr Estimator kOfCubeMaps = Estimator::RayTraced;
-constexpr Estimator kOfScreenSpace = Estimator::LayeredIntervals;
+constexpr Estimator kTraced = Estimator::RayTraced;
+constexpr Estimator kNotTraceable = Estimator::LayeredIntervals; ///< screen space, a host's normals
 /// Milliseconds per frame for them: a tool waits for the result, and only what is seen is computed.
 constexpr float kFrameBudget = 50.0F;
 
@@ -18,7 +18,9 @@ Options resolveOptions(const View& view, const OptionFlags& flags) {
     Options options = view.options;
     flags.apply(options, view.diagonal);
     if (!flags.given("estimator")) {
-        options.estimator = options.backbone == Backbone::Cubemapped ? kOfCubeMaps : kOfScreenSpace;
+        const bool traceable = options.backbone == Backbone::Cubemapped &&
+                               view.normals == host::SceneNormals::Geometric;
+        options.estimator = traceable ? kTraced : kNotTraceable;
     }
     if (!flags.given("frame-budget")) {
         options.frameBudget = options.estimator == Estimator::RayTraced ? kFrameBudget : 0.0F;

@@ -10,18 +10,6 @@
 
 namespace aolib {
 
-namespace {
-
-/// Where a frame's samples lie in their cells: the R2 sequence (Roberts 2018), which visits all of
-/// a cell over the frames.
-glm::vec2 offsetOf(std::uint64_t frame) {
-    const double n = static_cast<double>(frame % 4096);
-    return {std::fmod(0.5 + 0.7548776662466927 * n, 1.0),
-            std::fmod(0.5 + 0.5698402909980532 * n, 1.0)};
-}
-
-} // namespace
-
 Result<Survey> Survey::create(const BackboneContext& context) {
     auto shader = buildShader(context.gl, "fullscreen.vert", "cubemap/survey.frag");
     if (!shader) {
@@ -60,7 +48,6 @@ void Survey::take(const BackboneContext& context, const Frame& frame, const Host
         target_.begin(0);
         Projection::bind(shader_, frame, host, kept, projectors);
         shader_.set("uTargetSize", glm::vec2(kSize));
-        shader_.set("uOffset", offsetOf(frameNumber));
         context.generated.drawFullscreen();
         target_.beginRead(0);
         request.readback.start(kSize, kSize, GL_RGBA, GL_FLOAT);

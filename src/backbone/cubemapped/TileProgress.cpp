@@ -29,28 +29,27 @@ TileProgress::Region TileProgress::region(int tile) const {
     return {tile / perFace, x, y, std::min(kTile, faceSize_ - x), std::min(kTile, faceSize_ - y)};
 }
 
-void TileProgress::askTile(int face, int column, int row) {
-    const int tile = (face * perEdge_ + row) * perEdge_ + column;
-    tiles_[static_cast<std::size_t>(tile)].asked = true;
-}
-
-void TileProgress::ask(int face, const glm::vec2& at) {
+template <typename Visit>
+void TileProgress::visitAbout(int face, const glm::vec2& at, Visit visit) {
     const auto tileOf = [&](const glm::vec2& texel) {
-        return glm::clamp(glm::ivec2(texel) / kTile, glm::ivec2(0), glm::ivec2(perEdge_ - 1));
+        return glm::clamp(glm::ivec2(glm::max(texel, glm::vec2(0.0F))) / kTile, glm::ivec2(0),
+                          glm::ivec2(perEdge_ - 1));
     };
-    const glm::ivec2 low = tileOf(glm::max(at - kNear, glm::vec2(0.0F)));
-    const glm::ivec2 high = tileOf(glm::max(at + kNear, glm::vec2(0.0F)));
+    const glm::ivec2 low = tileOf(at - kNear);
+    const glm::ivec2 high = tileOf(at + kNear);
     for (int row = low.y; row <= high.y; ++row) {
         for (int column = low.x; column <= high.x; ++column) {
-            askTile(face, column, row);
+            visit(tiles_[static_cast<std::size_t>((face * perEdge_ + row) * perEdge_ + column)]);
         }
     }
 }
 
+void TileProgress::ask(int face, const glm::vec2& at) {
+    visitAbout(face, at, [](Tile& tile) { tile.asked = true; });
+}
+
 void TileProgress::askFine(int face, const glm::vec2& at) {
-    const glm::ivec2 tile =
-        glm::clamp(glm::ivec2(at) / kTile, glm::ivec2(0), glm::ivec2(perEdge_ - 1));
-    tiles_[static_cast<std::size_t>((face * perEdge_ + tile.y) * perEdge_ + tile.x)].fine = true;
+    visitAbout(face, at, [](Tile& tile) { tile.fine = true; });
 }
 
 void TileProgress::setDetailPasses(int tile, int passes) {

@@ -75,7 +75,9 @@ private:
         std::uint16_t passes = 0;
         std::uint16_t detailPasses = 0;
     };
-    void askTile(int face, int column, int row);
+    /// Visits the tile that a point lies in, and its neighbours where their border is near.
+    template <typename Visit>
+    void visitAbout(int face, const glm::vec2& at, Visit visit);
 
     int faceSize_ = 0;
     int perEdge_ = 0;

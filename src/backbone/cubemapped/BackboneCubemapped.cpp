@@ -308,21 +308,21 @@ Status BackboneCubemapped::compute(const std::vector<CubeMapProjector*>& project
     }
     passes_ = (*texels)->passes();
     for (CubeMapProjector* projector : projectors) {
-        if (!projector->dirty) {
-            continue;
+        const bool begins = projector->dirty;
+        if (begins) {
+            forget(projector->id());
+            projector->dropDetails(store_, details_);
+            projector->buildMs = 0.0;
+            projector->tiles.restart();
+            ++builtInFrame_;
         }
-        forget(projector->id());
-        projector->dropDetails(store_, details_);
-        projector->buildMs = 0.0;
-        projector->tiles.restart();
-        if (atOnce()) {
+        if (atOnce() && (begins || (*texels)->lacks(*projector))) {
             projector->tiles.askAll();
             if (Status status = (*texels)->complete(*projector); !status) {
                 return status;
             }
         }
         projector->dirty = false;
-        ++builtInFrame_;
     }
     if (atOnce()) {
         return {};

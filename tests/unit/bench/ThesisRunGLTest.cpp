@@ -59,7 +59,9 @@ TEST(ThesisRunGL, MeasuresTimesAndMemory) {
         EXPECT_GT(row.buildMs.median, 0.0);
         EXPECT_GT(row.frameMs.median, 0.0);
         const auto size = static_cast<std::size_t>(row.setting.faceSize);
-        EXPECT_EQ(row.bytesKept, 6U * size * size * 3U);
+        // Faces that hold geometry alone.
+        EXPECT_GT(row.bytesKept, 0U);
+        EXPECT_LE(row.bytesKept, 6U * size * size * 3U);
     }
     EXPECT_EQ((*rows)[1].bytesCapture, 4U * (*rows)[0].bytesCapture);
     EXPECT_GT((*rows)[2].bytesCapture, (*rows)[1].bytesCapture);

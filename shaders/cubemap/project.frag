@@ -9,6 +9,7 @@ uniform sampler2D uBest; // of the passes before
 uniform bool uFirstPass;
 uniform int uFirstCube;
 uniform int uEndCube;
+uniform int uCubes;
 
 layout(location = 0) out vec4 outBest; // sum of visibility, log2 of quality, code of the face, weight
 
@@ -32,9 +33,16 @@ void main() {
     best.sum = before.r;
     best.quality = before.g;
     best.weights = before.a;
+    vec3 eyeTo = uEyeToWorld * surface.eye;
+    vec3 normal = uEyeToWorld * surface.normal;
     for (int cube = uFirstCube; cube < uEndCube; ++cube) {
-        project(cube, uEyeToWorld * surface.eye, uEyeToWorld * surface.normal,
-                depthResolution(surface.t), best);
+        project(cube, eyeTo, normal, depthResolution(surface.t), best);
+    }
+    if (uEndCube == uCubes) {
+        for (int cube = 0; cube < uFirstCube; ++cube) {
+            consider(cube, eyeTo, normal, best);
+        }
+        guess(eyeTo, best);
     }
     outBest = vec4(best.sum, best.quality,
                    best.quality > before.g ? faceCode(best) : before.b, best.weights);

@@ -42,9 +42,13 @@ struct Projected {
     float quality; // log2, of the best
     int face;      // of the best
     vec2 uv;       // on that face
+    int guess;     // the best of those that see its direction but do not know the surface
+    float guessQuality;
 };
 
-Projected nothingProjected() { return Projected(0.0, 0.0, kUnknown, 0, vec2(0.0)); }
+Projected nothingProjected() {
+    return Projected(0.0, 0.0, kUnknown, 0, vec2(0.0), -1, kUnknown);
+}
 
 int faceLayer(int cube, int face) {
     return (uFaceLayers[cube][face >> 1] >> (16 * (face & 1))) & 0xFFFF;
@@ -180,30 +184,64 @@ void project(int cube, vec3 eyeTo, vec3 normal, float resolution, inout Projecte
         vec2 inBlock = at * float(kDetailScale) - vec2(grid.offset) - 0.5;
         visibility = lookUp(inFace, normalInFace, grid, inBlock, code,
                             (tolerance - resolution) / float(kDetailScale) + resolution);
-        if (visibility < 0.0) {
-            visibility = lookAbout(inFace, grid, inBlock, code, footprint / float(kDetailScale));
-        }
     }
     if (visibility < 0.0) {
         Grid grid = Grid(false, layer, ivec2(0), ivec2(0), ivec2(uFaceSize), float(uFaceSize));
         if (resolved >= 1.0) {
             visibility = lookUp(inFace, normalInFace, grid, at - 0.5, code, tolerance);
         }
-        if (visibility < 0.0) {
-            visibility = lookAbout(inFace, grid, at - 0.5, code, footprint);
-            quality += kGuess;
-            if (visibility < 0.0 || quality < best.quality - kMargin) {
-                return;
-            }
+    }
+    if (visibility < 0.0) {
+        if (quality > best.guessQuality) {
+            best.guessQuality = quality;
+            best.guess = cube;
         }
+        return;
     }
     if (quality > best.quality) {
         float fade = exp2(max(kSharpness * (best.quality - quality), -100.0));
-        best = Projected(best.sum * fade + visibility, best.weights * fade + 1.0, quality, face,
-                         uv);
+        best = Projected(best.sum * fade + visibility, best.weights * fade + 1.0, quality, face, uv,
+                         best.guess, best.guessQuality);
     } else {
         float weight = exp2(kSharpness * (quality - best.quality));
         best.sum += weight * visibility;
         best.weights += weight;
+    }
+}
+
+// Notes a cube map that sees a point's direction as one to guess by: what project() does in passing,
+// for those of earlier passes.
+void consider(int cube, vec3 eyeTo, vec3 normal, inout Projected best) {
+    vec3 p = uCubeToEye[cube].xyz + eyeTo;
+    float facing = -dot(normal, p);
+    vec3 a = abs(p);
+    float quality = logQuality(dot(p, p), max(a.x, max(a.y, a.z)), facing) + uCubeToEye[cube].w;
+    if (facing > 0.0 && faceLayer(cube, faceOf(p)) != kNoLayer && quality > best.guessQuality) {
+        best.guessQuality = quality;
+        best.guess = cube;
+    }
+}
+
+// After all cube maps: where none knows the surface, what the best of them knows nearby. Apart from
+// project(), because a software rasteriser runs every branch, for each cube map again.
+void guess(vec3 eyeTo, inout Projected best) {
+    if (best.weights > 0.0 || best.guess < 0) {
+        return;
+    }
+    int cube = best.guess;
+    vec3 p = uCubeToEye[cube].xyz + eyeTo;
+    int face = faceOf(p);
+    vec3 inFace = toFace(face, p);
+    vec2 uv = inFace.xy / inFace.z * 0.5 + 0.5;
+    Grid grid = Grid(false, faceLayer(cube, face), ivec2(0), ivec2(0), ivec2(uFaceSize),
+                     float(uFaceSize));
+    float visibility = lookAbout(inFace, grid, uv * float(uFaceSize) - 0.5, uDepthCode[cube].xy,
+                                 2.0 * inFace.z / float(uFaceSize));
+    if (visibility >= 0.0) {
+        best.sum = visibility;
+        best.weights = 1.0;
+        best.quality = best.guessQuality + kGuess;
+        best.face = face;
+        best.uv = uv;
     }
 }

@@ -23,6 +23,7 @@ void main() {
     for (int cube = 0; cube < uCubes; ++cube) {
         project(cube, eyeTo, normal, resolution, best);
     }
+    guess(eyeTo, best);
     float visibility = best.weights > 0.0 ? best.sum / best.weights : 1.0;
     outFactor = vec4(vec3(1.0 - uContrast + uContrast * visibility), 1.0);
 }

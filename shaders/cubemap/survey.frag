@@ -23,5 +23,6 @@ void main() {
     for (int cube = 0; cube < uCubes; ++cube) {
         project(cube, eyeTo, uEyeToWorld * surface.normal, depthResolution(surface.t), best);
     }
-    outSample = vec4(eyeTo, (best.quality > 0.5 * kGuess ? 1.0 : -1.0) * pixelFootprint(surface.t));
+    guess(eyeTo, best);
+    outSample = vec4(eyeTo, (best.weights > 0.0 ? 1.0 : -1.0) * pixelFootprint(surface.t));
 }

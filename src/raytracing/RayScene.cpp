@@ -294,12 +294,16 @@ RTCSceneTy* RayScene::embree() const {
     return content_->scene.get();
 }
 
-double RayScene::clearance(const glm::dvec3& position, const glm::dvec3& normal) const {
+double RayScene::resolution(const glm::dvec3& position, const glm::dvec3& normal) const {
     const glm::dvec3 inFrame =
         glm::max(content_->halfExtent, glm::abs(position - content_->centre));
-    const glm::dvec3 rounding =
-        roundings * unitRoundoff * inFrame + 2.0 * unitRoundoff * glm::abs(position);
-    return glm::dot(glm::abs(normal), rounding) + leastClearance / content_->scale;
+    return roundings * unitRoundoff * glm::dot(glm::abs(normal), inFrame) +
+           leastClearance / content_->scale;
+}
+
+double RayScene::clearance(const glm::dvec3& position, const glm::dvec3& normal) const {
+    return resolution(position, normal) +
+           2.0 * unitRoundoff * glm::dot(glm::abs(normal), glm::abs(position));
 }
 
 const TriangleMesh& RayScene::mesh() const {

@@ -75,6 +75,10 @@ public:
     bool occluded(const glm::dvec3& origin, const glm::dvec3& direction, double tmin = 0.0,
                   double tmax = std::numeric_limits<double>::infinity()) const;
 
+    /// How far a ray from an exact `position` may miss along the unit `normal`, world units: the
+    /// rounding of the scene's own frame.
+    double resolution(const glm::dvec3& position, const glm::dvec3& normal) const;
+
     /// How far to lift a ray's origin off a surface at `position` along the unit `normal`, world
     /// units, when all that is known is that the position was once rounded to float: one float ulp
     /// of the position, and the rounding of the scene's own frame.

@@ -18,7 +18,7 @@ constexpr double leastSlope = 1e-3;
 } // namespace
 
 SurfaceFinder::SurfaceFinder(const RayScene& scene, const TexelRequest& request)
-    : scene_(scene), centre_(request.centre), nearest_(scene.clearance(centre_, glm::dvec3(1.0))),
+    : scene_(scene), centre_(request.centre), nearest_(scene.resolution(centre_, glm::dvec3(1.0))),
       faceSize_(request.faceSize), forward_(shared::faceForward(request.face)),
       right_(shared::faceRight(request.face)), up_(shared::faceUp(request.face)) {}
 

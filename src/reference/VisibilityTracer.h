@@ -9,8 +9,8 @@
 #include <aolib/Status.h>
 #include <glm/vec3.hpp>
 
-#include "reference/ParallelLoop.h"
 #include "raytracing/RayScene.h"
+#include "reference/ParallelLoop.h"
 
 namespace aolib {
 

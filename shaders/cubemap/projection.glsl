@@ -7,7 +7,8 @@
 uniform sampler2DArray uCubeVisibility; // a layer per face that is kept
 uniform sampler2DArray uCubeDepth;      // coded depth along the face's axis; 0 where nothing is known
 uniform int uFaceSize;                  // texels
-// Tiles in which surfaces end are kept finer, as blocks of their own.
+// Tiles in which surfaces end are kept finer, as blocks of their own: read where AO_DETAIL is defined.
+// (A software rasteriser runs every branch: what a uniform switches off would cost all the same.)
 uniform sampler2DArray uPages; // a layer per face, a texel per tile: 0, or 1 + the number of its block
 uniform sampler2DArray uDetailVisibility;
 uniform sampler2DArray uDetailDepth;
@@ -85,11 +86,14 @@ Quad quadAt(Grid grid, ivec2 corner, vec2 code) {
     Quad quad;
     vec4 codes;
     ivec3 at = ivec3(grid.origin + corner, grid.layer);
+#ifdef AO_DETAIL
     if (grid.detail) {
         vec3 middle = vec3((vec2(at.xy) + 1.0) / float(kBlocksPerRow * kBlock), float(at.z));
         codes = FOUR(uDetailDepth);
         quad.visibility = FOUR(uDetailVisibility);
-    } else {
+    } else
+#endif
+    {
         vec3 middle = vec3((vec2(at.xy) + 1.0) / float(uFaceSize), float(at.z));
         codes = FOUR(uCubeDepth);
         quad.visibility = FOUR(uCubeVisibility);
@@ -171,9 +175,10 @@ void project(int cube, vec3 eyeTo, vec3 normal, float resolution, inout Projecte
     vec2 code = uDepthCode[cube].xy;
     // Seen from less than half a texel above it, a surface may well lie between the texels' rays.
     float resolved = cosDelta * float(uFaceSize);
+    float visibility = -1.0;
+#ifdef AO_DETAIL
     ivec2 tile = min(ivec2(at), uFaceSize - 1) / kTile;
     int page = int(texelFetch(uPages, ivec3(tile, layer), 0).r * 65535.0 + 0.5);
-    float visibility = -1.0;
     if (page > 0 && resolved * float(kDetailScale) >= 1.0) {
         int block = page - 1;
         int inLayer = block % (kBlocksPerRow * kBlocksPerRow);
@@ -185,6 +190,7 @@ void project(int cube, vec3 eyeTo, vec3 normal, float resolution, inout Projecte
         visibility = lookUp(inFace, normalInFace, grid, inBlock, code,
                             (tolerance - resolution) / float(kDetailScale) + resolution);
     }
+#endif
     if (visibility < 0.0) {
         Grid grid = Grid(false, layer, ivec2(0), ivec2(0), ivec2(uFaceSize), float(uFaceSize));
         if (resolved >= 1.0) {

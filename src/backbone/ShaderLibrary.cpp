@@ -17,7 +17,7 @@ const EmbeddedShader* find(std::string_view name) {
 } // namespace
 
 Result<gl::GLSLShader> buildShader(const gl::Functions& gl, std::string_view vertex,
-                                   std::string_view fragment) {
+                                   std::string_view fragment, std::string_view define) {
     const EmbeddedShader* vertexStage = find(vertex);
     const EmbeddedShader* fragmentStage = find(fragment);
     if (vertexStage == nullptr || fragmentStage == nullptr) {
@@ -25,8 +25,12 @@ Result<gl::GLSLShader> buildShader(const gl::Functions& gl, std::string_view ver
                       std::string(vertexStage == nullptr ? vertex : fragment) +
                           " was not embedded; name it in src/backbone/CMakeLists.txt");
     }
-    Result<gl::GLSLShader> built = gl::GLSLShader::build(
-        gl, {vertexStage->name, vertexStage->text}, {fragmentStage->name, fragmentStage->text});
+    std::string text(fragmentStage->text);
+    if (!define.empty()) { // behind the line of the version, whose number stays
+        text.insert(text.find('\n') + 1, "#define " + std::string(define) + "\n#line 2 0\n");
+    }
+    Result<gl::GLSLShader> built = gl::GLSLShader::build(gl, {vertexStage->name, vertexStage->text},
+                                                         {fragmentStage->name, text});
     if (!built && built.status().code() == StatusCode::ShaderError) {
         return Status(StatusCode::ShaderError,
                       built.status().message() + "\nfiles of " + std::string(vertex) +

@@ -20,8 +20,9 @@ extern const EmbeddedShader kEmbeddedShaders[];
 extern const std::size_t kEmbeddedShaderCount;
 
 /// Builds a program from two embedded stages, named by their paths.
+/// @param define  a name that the fragment stage finds defined; empty for none.
 /// Errors: ShaderError with the driver's log and the names of the files that it numbers.
 Result<gl::GLSLShader> buildShader(const gl::Functions& gl, std::string_view vertex,
-                                   std::string_view fragment);
+                                   std::string_view fragment, std::string_view define = {});
 
 } // namespace aolib

@@ -28,6 +28,7 @@ public:
                 std::span<const std::uint16_t> depth) const;
     /// Makes the blocks readable.
     void bind(gl::GLSLShader& shader, int visibilityUnit, int depthUnit) const;
+    bool empty() const { return used_.empty(); }
     /// GPU memory, blocks in reserve included.
     std::size_t bytes() const;
 

@@ -17,6 +17,8 @@ constexpr int kPagesUnit = 3;
 constexpr int kDetailVisibilityUnit = 4;
 constexpr int kDetailDepthUnit = 5;
 constexpr int kBestUnit = 6;
+/// Defined in the shaders that look at detail, too.
+constexpr const char* kDetail = "AO_DETAIL";
 
 /// Two faces' layers as one number, as shaders/cubemap/projection.glsl takes them apart.
 int pairOfLayers(const CubeMapProjector& projector, int face) {
@@ -29,17 +31,20 @@ int pairOfLayers(const CubeMapProjector& projector, int face) {
 } // namespace
 
 Result<Projection> Projection::create(const BackboneContext& context) {
-    auto project = buildShader(context.gl, "fullscreen.vert", "cubemap/project.frag");
-    if (!project) {
-        return project.status();
-    }
-    auto shade = buildShader(context.gl, "fullscreen.vert", "cubemap/shade.frag");
-    if (!shade) {
-        return shade.status();
-    }
     Projection projection;
-    projection.project_ = std::move(*project);
-    projection.shade_ = std::move(*shade);
+    for (std::size_t detail = 0; detail < 2; ++detail) {
+        const char* define = detail == 1 ? kDetail : "";
+        auto project = buildShader(context.gl, "fullscreen.vert", "cubemap/project.frag", define);
+        if (!project) {
+            return project.status();
+        }
+        auto shade = buildShader(context.gl, "fullscreen.vert", "cubemap/shade.frag", define);
+        if (!shade) {
+            return shade.status();
+        }
+        projection.project_[detail] = std::move(*project);
+        projection.shade_[detail] = std::move(*shade);
+    }
     return projection;
 }
 
@@ -79,9 +84,10 @@ void Projection::shade(const BackboneContext& context, const Frame& frame,
                        const HostFramebuffer& host, const KeptTexels& kept,
                        const std::vector<CubeMapProjector*>& projectors) {
     const gl::DebugGroup group(context.gl, "aolib: project and blend");
-    bind(shade_, frame, host, kept, projectors);
-    shade_.set("uOrigin", frame.origin);
-    shade_.set("uContrast", context.options.contrast);
+    gl::GLSLShader& shader = shade_[kept.details.empty() ? 0 : 1];
+    bind(shader, frame, host, kept, projectors);
+    shader.set("uOrigin", frame.origin);
+    shader.set("uContrast", context.options.contrast);
     beginHostColours(context, frame);
     blendIntoHost(context);
     endHostColours(context);
@@ -118,8 +124,9 @@ Projection::apply(const BackboneContext& context, const Frame& frame, const Host
             break;
         }
     }
-    bind(project_, frame, host, kept, projectors);
-    project_.set("uBest", kBestUnit);
+    gl::GLSLShader& shader = project_[kept.details.empty() ? 0 : 1];
+    bind(shader, frame, host, kept, projectors);
+    shader.set("uBest", kBestUnit);
     const gl::RenderToTexture2D* best = nullptr;
     for (int first = 0; first == 0 || first < cubes; first += perPass) {
         const gl::RenderToTexture2D* next = best == &best_[0] ? &best_[1] : &best_[0];
@@ -127,9 +134,9 @@ Projection::apply(const BackboneContext& context, const Frame& frame, const Host
         if (best != nullptr) {
             best->bindTexture(0, kBestUnit);
         }
-        project_.set("uFirstPass", best == nullptr ? 1 : 0);
-        project_.set("uFirstCube", first);
-        project_.set("uEndCube", std::min(first + perPass, cubes));
+        shader.set("uFirstPass", best == nullptr ? 1 : 0);
+        shader.set("uFirstCube", first);
+        shader.set("uEndCube", std::min(first + perPass, cubes));
         context.generated.drawFullscreen();
         best = next;
     }

@@ -43,8 +43,9 @@ private:
     Status prepare(const BackboneContext& context, const Frame& frame,
                    gl::RenderToTexture2D& target);
 
-    gl::GLSLShader project_;
-    gl::GLSLShader shade_;
+    /// Without and with detail.
+    std::array<gl::GLSLShader, 2> project_;
+    std::array<gl::GLSLShader, 2> shade_;
     std::array<gl::RenderToTexture2D, 2> best_;
 };
 

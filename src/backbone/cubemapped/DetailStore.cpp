@@ -1,6 +1,6 @@
 #include "backbone/cubemapped/DetailStore.h"
 
-#include <algorithm>
+#include <optional>
 
 namespace aolib {
 
@@ -11,7 +11,7 @@ using Format = gl::RenderToTexture2D::Format;
 } // namespace
 
 Status DetailStore::grow() {
-    const int layers = static_cast<int>(used_.size()) / kPerLayer + 1;
+    const int layers = slots_.count() / kPerLayer + 1;
     const auto create = [&](Format format, const char* label) {
         return gl::TextureStack::create(*gl_, {.width = kPerRow * kBlock,
                                                .height = kPerRow * kBlock,
@@ -27,35 +27,32 @@ Status DetailStore::grow() {
     if (!depth) {
         return depth.status();
     }
-    if (!used_.empty()) {
+    if (!slots_.empty()) {
         visibility->copyFrom(visibility_);
         depth->copyFrom(depth_);
     }
     visibility_ = std::move(*visibility);
     depth_ = std::move(*depth);
-    used_.resize(static_cast<std::size_t>(layers * kPerLayer), false);
+    slots_.growTo(layers * kPerLayer);
     return {};
 }
 
 Result<int> DetailStore::take() {
-    auto free = std::find(used_.begin(), used_.end(), false);
-    if (free == used_.end()) {
-        const std::size_t before = used_.size();
+    std::optional<int> taken = slots_.take();
+    if (!taken) {
         if (Status status = grow(); !status) {
             return status;
         }
-        free = used_.begin() + static_cast<std::ptrdiff_t>(before);
+        taken = slots_.take();
     }
-    *free = true;
-    return static_cast<int>(free - used_.begin());
+    return *taken;
 }
 
 void DetailStore::giveBack(int block) {
-    used_.at(static_cast<std::size_t>(block)) = false;
-    if (std::none_of(used_.begin(), used_.end(), [](bool used) { return used; })) {
+    if (slots_.giveBack(block)) {
         visibility_ = {};
         depth_ = {};
-        used_.clear();
+        slots_.clear();
     }
 }
 
@@ -71,14 +68,14 @@ void DetailStore::upload(int block, int width, int height, std::span<const std::
 void DetailStore::bind(gl::GLSLShader& shader, int visibilityUnit, int depthUnit) const {
     shader.set("uDetailVisibility", visibilityUnit);
     shader.set("uDetailDepth", depthUnit);
-    if (!used_.empty()) {
+    if (!slots_.empty()) {
         visibility_.bind(visibilityUnit);
         depth_.bind(depthUnit);
     }
 }
 
 std::size_t DetailStore::bytes() const {
-    return used_.empty() ? 0 : visibility_.bytes() + depth_.bytes();
+    return slots_.empty() ? 0 : visibility_.bytes() + depth_.bytes();
 }
 
 } // namespace aolib

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "backbone/cubemapped/Slots.h"
 #include "backbone/cubemapped/TileProgress.h"
 #include "gl/GLSLShader.h"
 #include "gl/TextureStack.h"
@@ -28,7 +29,7 @@ public:
                 std::span<const std::uint16_t> depth) const;
     /// Makes the blocks readable.
     void bind(gl::GLSLShader& shader, int visibilityUnit, int depthUnit) const;
-    bool empty() const { return used_.empty(); }
+    bool empty() const { return slots_.empty(); }
     /// GPU memory, blocks in reserve included.
     std::size_t bytes() const;
 
@@ -41,7 +42,7 @@ private:
     const gl::Functions* gl_;
     gl::TextureStack visibility_;
     gl::TextureStack depth_;
-    std::vector<bool> used_; ///< one per block
+    Slots slots_; ///< one per block
 };
 
 } // namespace aolib

@@ -1,7 +1,7 @@
 #include "backbone/cubemapped/FaceStore.h"
 
-#include <algorithm>
 #include <array>
+#include <optional>
 
 namespace aolib {
 
@@ -18,12 +18,12 @@ void FaceStore::reset(int faceSize) {
     visibility_ = {};
     depth_ = {};
     pages_ = {};
-    used_.clear();
+    slots_.clear();
     faceSize_ = faceSize;
 }
 
 Status FaceStore::grow() {
-    const int layers = static_cast<int>(used_.size()) + kGrowth;
+    const int layers = slots_.count() + kGrowth;
     const auto create = [&](Format format, int size, const char* label) {
         return gl::TextureStack::create(
             *gl_,
@@ -47,7 +47,7 @@ Status FaceStore::grow() {
     if (!pages) {
         return pages.status();
     }
-    if (!used_.empty()) {
+    if (!slots_.empty()) {
         visibility->copyFrom(visibility_);
         depth->copyFrom(depth_);
         pages->copyFrom(pages_);
@@ -55,21 +55,19 @@ Status FaceStore::grow() {
     pages_ = std::move(*pages);
     visibility_ = std::move(*visibility);
     depth_ = std::move(*depth);
-    used_.resize(static_cast<std::size_t>(layers), false);
+    slots_.growTo(layers);
     return {};
 }
 
 Result<int> FaceStore::take() {
-    auto free = std::find(used_.begin(), used_.end(), false);
-    if (free == used_.end()) {
-        const std::size_t before = used_.size();
+    std::optional<int> taken = slots_.take();
+    if (!taken) {
         if (Status status = grow(); !status) {
             return status;
         }
-        free = used_.begin() + static_cast<std::ptrdiff_t>(before);
+        taken = slots_.take();
     }
-    *free = true;
-    const int layer = static_cast<int>(free - used_.begin());
+    const int layer = *taken;
     const std::array<GLfloat, 4> open{1.0F, 0.0F, 0.0F, 0.0F};
     const std::array<GLfloat, 4> nothing{};
     begin(layer);
@@ -82,8 +80,7 @@ Result<int> FaceStore::take() {
 }
 
 void FaceStore::giveBack(int layer) {
-    used_.at(static_cast<std::size_t>(layer)) = false;
-    if (std::none_of(used_.begin(), used_.end(), [](bool used) { return used; })) {
+    if (slots_.giveBack(layer)) {
         reset(faceSize_);
     }
 }
@@ -136,7 +133,7 @@ std::size_t FaceStore::bytesPerFace() const {
 }
 
 std::size_t FaceStore::bytes() const {
-    return used_.empty() ? 0 : visibility_.bytes() + depth_.bytes() + pages_.bytes();
+    return slots_.empty() ? 0 : visibility_.bytes() + depth_.bytes() + pages_.bytes();
 }
 
 } // namespace aolib

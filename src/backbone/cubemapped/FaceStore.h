@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "backbone/cubemapped/Slots.h"
 #include "backbone/cubemapped/TileProgress.h"
 #include "gl/GLSLShader.h"
 #include "gl/TextureStack.h"
@@ -45,7 +46,7 @@ public:
     /// GPU memory, layers in reserve included.
     std::size_t bytes() const;
     /// Whether there is a layer at all.
-    bool empty() const { return used_.empty(); }
+    bool empty() const { return slots_.empty(); }
 
 private:
     Status grow();
@@ -57,7 +58,7 @@ private:
     gl::TextureStack depth_;
     gl::TextureStack pages_; ///< per tile: 0, or 1 + the number of its detail block
     gl::Framebuffer framebuffer_;
-    std::vector<bool> used_; ///< one per layer
+    Slots slots_; ///< one per layer
 };
 
 } // namespace aolib

@@ -131,7 +131,7 @@ public:
     void setMessageSink(MessageSink sink);
 
 private:
-    struct Impl;
+    struct AOLIB_NO_EXPORT Impl;
     explicit AmbientOcclusion(std::unique_ptr<Impl> impl);
     std::unique_ptr<Impl> impl_;
 };

@@ -1,0 +1,32 @@
+# Makes Debian packages of BUILD below WORK and looks into them.
+cmake_minimum_required(VERSION 3.22)
+file(REMOVE_RECURSE ${WORK})
+execute_process(COMMAND ${CPACK} -G DEB -B ${WORK} --config ${BUILD}/CPackConfig.cmake
+    WORKING_DIRECTORY ${BUILD} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+if(NOT result EQUAL 0)
+    message(FATAL_ERROR "cpack failed (${result}):\n${output}")
+endif()
+
+# Each pattern must be in the list of what the package named so holds.
+function(holds package)
+    file(GLOB file ${WORK}/${package}_*.deb)
+    if(NOT file)
+        message(SEND_ERROR "there is no package ${package}")
+        return()
+    endif()
+    execute_process(COMMAND ${DPKG_DEB} -c ${file} OUTPUT_VARIABLE content)
+    foreach(pattern IN LISTS ARGN)
+        if(NOT content MATCHES "${pattern}")
+            message(SEND_ERROR "${package} holds no ${pattern}:\n${content}")
+        endif()
+    endforeach()
+    if(content MATCHES "\\./usr/local|\\./home|\\./tmp")
+        message(SEND_ERROR "${package} is not for /usr:\n${content}")
+    endif()
+endfunction()
+
+holds(libaolib-dev "usr/include/aolib/aolib\\.h" "aolibConfig\\.cmake" "pkgconfig/aolib\\.pc")
+holds(aolib-tools "usr/bin/aolib\n")
+if(SHARED)
+    holds(libaolib${SOVERSION} "libaolib\\.so\\.${SOVERSION} ")
+endif()

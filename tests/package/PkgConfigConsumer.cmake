@@ -1,0 +1,25 @@
+# Compiles SOURCES by what pkg-config says of MODULE below PREFIX, and runs it.
+cmake_minimum_required(VERSION 3.22)
+file(GLOB_RECURSE found ${PREFIX}/*/${MODULE}.pc)
+get_filename_component(folder "${found}" DIRECTORY)
+file(MAKE_DIRECTORY ${WORK})
+set(ENV{PKG_CONFIG_PATH} ${folder})
+execute_process(COMMAND ${PKG_CONFIG} --cflags --libs ${MODULE}
+    OUTPUT_VARIABLE flags RESULT_VARIABLE result ERROR_VARIABLE message OUTPUT_STRIP_TRAILING_WHITESPACE)
+if(NOT result EQUAL 0)
+    message(FATAL_ERROR "pkg-config knows no ${MODULE} in ${folder}: ${message}")
+endif()
+separate_arguments(flags UNIX_COMMAND "${flags}")
+separate_arguments(extra UNIX_COMMAND "${FLAGS}")
+get_filename_component(libraries ${folder} DIRECTORY)
+execute_process(COMMAND ${COMPILER} -std=c++20 ${extra} ${SOURCES} -o ${WORK}/consumer ${flags}
+        -Wl,-rpath,${libraries}
+    RESULT_VARIABLE result OUTPUT_VARIABLE message ERROR_VARIABLE message)
+if(NOT result EQUAL 0)
+    message(FATAL_ERROR "${SOURCES} with ${flags} does not compile:\n${message}")
+endif()
+execute_process(COMMAND ${WORK}/consumer RESULT_VARIABLE result OUTPUT_VARIABLE message)
+if(NOT result EQUAL 0)
+    message(FATAL_ERROR "${WORK}/consumer failed (${result}): ${message}")
+endif()
+message(STATUS "${message}")

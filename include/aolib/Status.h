@@ -28,6 +28,7 @@ enum class StatusCode : std::uint8_t {
     NoContext,           ///< no OpenGL context is current, or the loader knows no function
     ShaderError,         ///< a shader did not compile or link; the message holds the driver's log
     OutOfMemory, ///< GL could not give a texture, buffer or framebuffer of the size asked for
+    Cancelled,   ///< the host's progress callback said so; there is no result
 };
 
 /// The name of a code, for messages and tests: `statusName(StatusCode::Ok) == "Ok"`.
@@ -71,6 +72,8 @@ constexpr const char* statusName(StatusCode code) {
         return "ShaderError";
     case StatusCode::OutOfMemory:
         return "OutOfMemory";
+    case StatusCode::Cancelled:
+        return "Cancelled";
     }
     return "unknown";
 }

@@ -29,10 +29,11 @@ forbid(src/gl "\"(scene|backbone|platform|raytracing|reference|bake)/" "gl knows
 forbid(src/backbone "\"(platform|raytracing|reference|bake)/" "backbones know scene and gl alone")
 forbid(src/raytracing "\"(gl|backbone|platform|reference|bake)/" "rays know the scene alone")
 forbid(src/reference "\"(gl|backbone|platform|bake)/" "the truth knows the scene and rays alone")
+forbid(src/bake "\"(backbone|platform)/" "bakers know the scene, gl, rays and the truth alone")
 forbid(src/platform "\"(gl|scene|backbone|raytracing|reference|bake)/" "contexts know nothing of the library's rooms")
 forbid(src/backbone/screenspace "\"backbone/cubemapped/" "one backbone does not know another")
 forbid(src/backbone/cubemapped "\"backbone/screenspace/" "one backbone does not know another")
-forbid(tools/content "\"(gl|backbone|platform|reference|host|app)/" "content is data, no GL")
+forbid(tools/content "\"(gl|backbone|platform|reference|bake|host|app)/" "content is data, no GL")
 forbid(tools/bench "\"app/" "what is measured knows nothing of the command line")
 forbid(tools/image "\"(gl|backbone|platform|reference|host|app|content)/" "image knows nobody")
 

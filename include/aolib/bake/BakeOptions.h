@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+
+#include <aolib/Options.h>
+
+namespace aolib::bake {
+
+/// Where light may come from. Since 0.1.
+enum class Sky : std::uint8_t {
+    Sphere, ///< everywhere
+    Dome,   ///< above the horizon only; what faces down is dark
+};
+
+/// How rays are spread over the hemisphere.
+enum class Sampling : std::uint8_t {
+    Stratified, ///< Sobol's points, scrambled per receiver, with the density of the measure
+    Rejection,  ///< uniform, from random points in a cube (GPU Gems, chapter 17.2)
+};
+
+/// What the share of open directions is a share of.
+enum class Measure : std::uint8_t {
+    Cosine,     ///< visibility W, 1/pi times the integral of V cos(theta)
+    SolidAngle, ///< plain accessibility, 1/(2 pi) times the integral of V (GPU Gems, 17.2)
+};
+
+/// How the sums of a scattered map become visibility.
+enum class Normalisation : std::uint8_t {
+    Derived,   ///< by the number of directions and each texel's coverage
+    Brightest, ///< the brightest texel is taken for fully open (McGraw and Sowers 2008)
+};
+
+/// How values of vertices come about.
+enum class VertexFit : std::uint8_t {
+    Direct,       ///< at the vertex itself, about its normal
+    TriangleMean, ///< at the triangles' centres, averaged over those about a vertex (17.2)
+    LeastSquares, ///< the values that, interpolated, fit samples of the surface best (Kavan 2011)
+};
+
+/// Settings of baking by rays, on the CPU.
+struct RayOptions {
+    int rays = 256;      ///< per receiver, count, 1 to 2^20
+    float radius = 0.0F; ///< reach of occluders, world units; 0 has no end, `falloff` is then None
+    Falloff falloff = Falloff::Step; ///< weight of an occluder by its distance
+    Sampling sampling = Sampling::Stratified;
+    Measure measure = Measure::Cosine;
+    Sky sky = Sky::Sphere;
+    int threads = 0;        ///< workers, 0 takes one per core; does not change the result
+    std::uint32_t seed = 0; ///< another seed, another noise
+};
+
+/// Settings of a map.
+struct MapOptions {
+    int width = 1024;  ///< texels, 1 to 16384
+    int height = 1024; ///< texels, 1 to 16384
+    int padding = 8;   ///< texels that each chart is grown by, 0 to 64
+    bool fill = true;  ///< fill what no chart covers, too, so that mipmaps mix nothing foreign in
+};
+
+/// Settings of vertices.
+struct VertexOptions {
+    VertexFit fit = VertexFit::Direct;
+    float smoothness = 0.1F; ///< LeastSquares: weight of the differences along edges, 0 to 100
+    float density = 4.0F;    ///< LeastSquares: samples per triangle on average, 1 to 256
+};
+
+} // namespace aolib::bake

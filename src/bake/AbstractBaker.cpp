@@ -1,0 +1,7 @@
+#include <aolib/bake/AbstractBaker.h>
+
+namespace aolib::bake {
+
+AbstractBaker::~AbstractBaker() = default;
+
+} // namespace aolib::bake

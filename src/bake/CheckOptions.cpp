@@ -1,0 +1,55 @@
+#include "bake/CheckOptions.h"
+
+#include <cmath>
+#include <string>
+
+namespace aolib::bake {
+
+namespace {
+
+/// The first option out of its range, and no more.
+class Check {
+public:
+    template <typename T>
+    Check& within(const char* name, T value, T least, T most) {
+        if (status_ && !(value >= least && value <= most)) {
+            status_ = {StatusCode::InvalidOption,
+                       std::string(name) + " is " + std::to_string(value) + ", must be " +
+                           std::to_string(least) + " to " + std::to_string(most)};
+        }
+        return *this;
+    }
+    const Status& status() const { return status_; }
+
+private:
+    Status status_;
+};
+
+constexpr float longest = 1e30F;
+
+} // namespace
+
+Status check(const RayOptions& options) {
+    return Check()
+        .within("rays", options.rays, 1, 1 << 20)
+        .within("radius", options.radius, 0.0F, longest)
+        .within("threads", options.threads, 0, 1024)
+        .status();
+}
+
+Status check(const MapOptions& options) {
+    return Check()
+        .within("width", options.width, 1, 16384)
+        .within("height", options.height, 1, 16384)
+        .within("padding", options.padding, 0, 64)
+        .status();
+}
+
+Status check(const VertexOptions& options) {
+    return Check()
+        .within("smoothness", options.smoothness, 0.0F, 100.0F)
+        .within("density", options.density, 1.0F, 256.0F)
+        .status();
+}
+
+} // namespace aolib::bake

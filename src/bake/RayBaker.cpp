@@ -1,0 +1,232 @@
+#include "bake/RayBaker.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <new>
+#include <string>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "bake/CheckOptions.h"
+#include "bake/MapFill.h"
+#include "bake/VertexFitting.h"
+#include "reference/ParallelLoop.h"
+
+namespace aolib::bake {
+
+namespace {
+
+/// Texels along a tile's edge: a tile is a group of receivers.
+constexpr int tileSide = 4;
+static_assert(tileSide * tileSide == int{HemisphereTracer::capacity});
+
+/// Kinds of receivers draw their rays from sequences of their own.
+constexpr int vertexKind = 8191;
+
+Status cancelled() {
+    return {StatusCode::Cancelled, "the bake was cancelled"};
+}
+
+glm::vec3 unitOr(const glm::vec3& v, const glm::dvec3& fallback) {
+    const float length = glm::length(v);
+    return length > 0.0F ? v / length : glm::vec3(fallback);
+}
+
+} // namespace
+
+SequenceSeed RayBaker::seedOf(int kind, std::size_t a, std::size_t b) const {
+    const SequenceSeed own = sequenceSeed(kind, static_cast<int>(a), static_cast<int>(b));
+    const SequenceSeed user = sequenceSeed(0, 0, static_cast<int>(options_.seed & 0x7fffffffU));
+    return options_.seed == 0 ? own
+                              : SequenceSeed{own.first ^ user.first, own.second ^ user.second};
+}
+
+bool RayBaker::traceGroups(std::size_t groups, const FillGroup& fill, const TakeResult& take,
+                           const BakeProgress& progress) const {
+    const auto body = [&](std::size_t begin, std::size_t end) {
+        const auto tracer = std::make_unique<HemisphereTracer>(geometry_, rays_, options_);
+        std::array<Receiver, HemisphereTracer::capacity> receivers;
+        std::array<Openness, HemisphereTracer::capacity> found;
+        for (std::size_t group = begin; group < end; ++group) {
+            const std::size_t count = fill(group, receivers.data());
+            if (count == 0) {
+                continue;
+            }
+            tracer->trace(std::span(receivers).first(count), std::span(found).first(count));
+            for (std::size_t i = 0; i < count; ++i) {
+                take(receivers[i], found[i]);
+            }
+        }
+    };
+    return parallelLoop(groups, options_.threads, body, progress);
+}
+
+bool RayBaker::traceMap(const TexelRaster& raster, int number, BakedMap& map,
+                        const BakeProgress& progress) const {
+    const int across = (raster.width() + tileSide - 1) / tileSide;
+    const int along = (raster.height() + tileSide - 1) / tileSide;
+    const auto fill = [&](std::size_t tile, Receiver* receivers) {
+        std::size_t count = 0;
+        const int left = static_cast<int>(tile % static_cast<std::size_t>(across)) * tileSide;
+        const int bottom = static_cast<int>(tile / static_cast<std::size_t>(across)) * tileSide;
+        for (int y = bottom; y < std::min(bottom + tileSide, raster.height()); ++y) {
+            for (int x = left; x < std::min(left + tileSide, raster.width()); ++x) {
+                const auto texel =
+                    static_cast<std::size_t>(y) * static_cast<std::size_t>(raster.width()) +
+                    static_cast<std::size_t>(x);
+                if (raster.kind(texel) == TexelKind::Empty) {
+                    continue;
+                }
+                const glm::vec2& b = raster.barycentric(texel);
+                if (const auto point =
+                        geometry_.point(raster.triangle(texel), double{b.x}, double{b.y})) {
+                    receivers[count++] = {
+                        *point,
+                        seedOf(number, static_cast<std::size_t>(x), static_cast<std::size_t>(y)),
+                        texel};
+                }
+            }
+        }
+        return count;
+    };
+    const auto take = [&](const Receiver& receiver, const Openness& openness) {
+        map.visibility[receiver.place] = openness.visibility;
+        map.bentNormal[receiver.place] = unitOr(openness.direction, receiver.point.normal);
+    };
+    return traceGroups(static_cast<std::size_t>(across) * static_cast<std::size_t>(along), fill,
+                       take, progress);
+}
+
+Result<std::vector<BakedMap>> RayBaker::bakeMaps(const MapOptions& options,
+                                                 const BakeProgress& progress) try {
+    if (Status status = check(options); !status) {
+        return status;
+    }
+    const int count = geometry_.scene().mapCount();
+    std::vector<BakedMap> maps;
+    bool covered = false;
+    for (int number = 0; number < count; ++number) {
+        const TexelRaster raster(geometry_.scene(), number, options.width, options.height);
+        covered = covered || raster.coveredTexels() > 0;
+        BakedMap& map = maps.emplace_back(emptyMap(raster));
+        const auto share = [&](double fraction) {
+            return !progress || progress((number + fraction) / count);
+        };
+        if (!traceMap(raster, number, map, share)) {
+            return cancelled();
+        }
+        finish(map, options);
+    }
+    if (!covered) {
+        return Status(StatusCode::InvalidPosition, "no triangle has UVs that cover a texel");
+    }
+    return maps;
+} catch (const std::bad_alloc&) {
+    return Status(StatusCode::OutOfMemory, "no memory left for maps of " +
+                                               std::to_string(options.width) + " x " +
+                                               std::to_string(options.height) + " texels");
+}
+
+Result<std::vector<glm::vec4>> RayBaker::tracePoints(const std::vector<SurfacePoint>& points,
+                                                     const BakeProgress& progress) const {
+    constexpr std::size_t size = HemisphereTracer::capacity;
+    std::vector<glm::vec4> values(points.size());
+    const auto fill = [&](std::size_t group, Receiver* receivers) {
+        const std::size_t end = std::min(points.size(), (group + 1) * size);
+        for (std::size_t i = group * size; i < end; ++i) {
+            receivers[i - group * size] = {points[i], seedOf(vertexKind, i >> 20U, i & 0xfffffU),
+                                           i};
+        }
+        return end - group * size;
+    };
+    const auto take = [&](const Receiver& receiver, const Openness& openness) {
+        values[receiver.place] = {openness.visibility,
+                                  unitOr(openness.direction, receiver.point.normal)};
+    };
+    if (!traceGroups((points.size() + size - 1) / size, fill, take, progress)) {
+        return cancelled();
+    }
+    return values;
+}
+
+/// @param faceted  about the triangles' own normals, as the seed does.
+Result<std::vector<glm::vec4>> RayBaker::traceSamples(const std::vector<SurfaceSample>& samples,
+                                                      bool faceted,
+                                                      const BakeProgress& progress) const {
+    std::vector<SurfacePoint> points;
+    points.reserve(samples.size());
+    for (const SurfaceSample& sample : samples) {
+        SurfacePoint point =
+            *geometry_.point(sample.triangle, double{sample.b1}, double{sample.b2});
+        point.normal = faceted ? point.plane : point.normal;
+        points.push_back(point);
+    }
+    return tracePoints(points, progress);
+}
+
+Result<std::vector<glm::vec4>> RayBaker::weldedValues(const VertexWeld& weld,
+                                                      const VertexOptions& options,
+                                                      const BakeProgress& progress) const {
+    if (options.fit == VertexFit::Direct) {
+        return tracePoints(weld.points, progress);
+    }
+    const bool mean = options.fit == VertexFit::TriangleMean;
+    const std::vector<SurfaceSample> samples =
+        mean ? triangleCentres(geometry_) : spreadSamples(geometry_, double{options.density});
+    const Result<std::vector<glm::vec4>> values = traceSamples(samples, mean, progress);
+    if (!values) {
+        return values;
+    }
+    return mean ? meanAboutVertices(geometry_, weld, samples, *values)
+                : fitVertices(geometry_, weld, samples, *values, double{options.smoothness});
+}
+
+Result<std::vector<BakedVertices>> RayBaker::bakeVertices(const VertexOptions& options,
+                                                          const BakeProgress& progress) try {
+    if (Status status = check(options); !status) {
+        return status;
+    }
+    const VertexWeld weld = weldVertices(geometry_);
+    const Result<std::vector<glm::vec4>> values = weldedValues(weld, options, progress);
+    if (!values) {
+        return values.status();
+    }
+    std::vector<BakedVertices> result;
+    for (const std::vector<std::uint32_t>& numbers : weld.number) {
+        BakedVertices& vertices = result.emplace_back();
+        for (const std::uint32_t number : numbers) {
+            const bool used = number != VertexWeld::unused;
+            const glm::vec4 value = used ? (*values)[number] : glm::vec4(1.0F, 0.0F, 0.0F, 0.0F);
+            vertices.visibility.push_back(std::clamp(value.x, 0.0F, 1.0F));
+            vertices.bentNormal.push_back(
+                unitOr(glm::vec3(value.y, value.z, value.w),
+                       used ? weld.points[number].normal : geometry_.up()));
+        }
+    }
+    return result;
+} catch (const std::bad_alloc&) {
+    return Status(StatusCode::OutOfMemory, "no memory left for the values of vertices");
+}
+
+Result<std::unique_ptr<AbstractBaker>> createRayBaker(BakeScene scene,
+                                                      const RayOptions& options) try {
+    if (Status status = check(options); !status) {
+        return status;
+    }
+    Result<BakeGeometry> geometry = BakeGeometry::create(std::move(scene));
+    if (!geometry) {
+        return geometry.status();
+    }
+    Result<RayScene> rays = RayScene::create(geometry->occluders());
+    if (!rays) {
+        return rays.status();
+    }
+    return std::unique_ptr<AbstractBaker>(
+        std::make_unique<RayBaker>(std::move(*geometry), std::move(*rays), options));
+} catch (const std::bad_alloc&) {
+    return Status(StatusCode::OutOfMemory, "no memory left for the scene to bake");
+}
+
+} // namespace aolib::bake

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include <aolib/bake/AbstractBaker.h>
+#include <aolib/bake/BakeScene.h>
+
+#include "bake/BakeGeometry.h"
+
+namespace aolib::bake {
+
+/// Why a triangle gets no texels.
+enum class UvFault : std::uint8_t { None, Missing, NotFinite, Outside, Collapsed };
+
+/// What is wrong with a triangle's UVs, for a map of `size` texels.
+UvFault uvFault(const Surface& surface, std::uint32_t triangle, const glm::dvec2& size);
+
+/// Which triangle each texel of a map shows: the one that its centre lies in, or else, where a
+/// chart touches the texel but not its centre, the one that comes nearest to the centre.
+class TexelRaster {
+public:
+    /// Rasterises all surfaces that go to `map`.
+    TexelRaster(const BakeScene& scene, int map, int width, int height);
+
+    int width() const { return width_; }
+    int height() const { return height_; }
+    std::size_t size() const { return kind_.size(); }
+    TexelKind kind(std::size_t texel) const { return kind_[texel]; }
+    const std::vector<TexelKind>& kinds() const { return kind_; }
+    /// Of a texel that is not empty.
+    const TriangleName& triangle(std::size_t texel) const { return triangle_[texel]; }
+    /// Weights of the triangle's second and third vertex: of the texel's centre, or of the
+    /// triangle's point next to it.
+    const glm::vec2& barycentric(std::size_t texel) const { return barycentric_[texel]; }
+
+    std::size_t coveredTexels() const;
+    /// Of the covered ones, those whose centre lies well inside two or more triangles.
+    std::size_t overlappingTexels() const { return overlapping_; }
+
+private:
+    struct Corners;
+    void add(const Corners& corners, const TriangleName& name);
+    void visit(const Corners& corners, const TriangleName& name, int x, int y);
+
+    int width_;
+    int height_;
+    std::vector<TexelKind> kind_;
+    std::vector<TriangleName> triangle_;
+    std::vector<glm::vec2> barycentric_;
+    /// Of border texels: squared distance of the point taken from the centre, texels. Of inside
+    /// ones: 1 once a centre lay well inside a triangle, 2 when that happened again.
+    std::vector<float> mark_;
+    std::size_t overlapping_ = 0;
+};
+
+} // namespace aolib::bake

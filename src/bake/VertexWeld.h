@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "bake/BakeGeometry.h"
+
+namespace aolib::bake {
+
+/// Vertices of the surfaces whose values are wanted, those at one place that face alike being one:
+/// where only UVs part them, values must not.
+struct VertexWeld {
+    /// Per surface and vertex its number, or `unused`.
+    std::vector<std::vector<std::uint32_t>> number;
+    std::vector<SurfacePoint> points; ///< per number; normals as given, or the triangles' mean
+    static constexpr std::uint32_t unused = ~0U;
+};
+
+/// Of all surfaces that do not only occlude.
+VertexWeld weldVertices(const BakeGeometry& geometry);
+
+} // namespace aolib::bake

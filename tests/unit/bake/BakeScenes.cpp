@@ -1,0 +1,57 @@
+#include "BakeScenes.h"
+
+#include <utility>
+
+#include <gtest/gtest.h>
+
+namespace aolib::bake::test {
+
+Surface surfaceOf(const UvMesh& mesh, int map) {
+    return {mesh.positions, mesh.normals, mesh.uvs, mesh.indices, map};
+}
+
+BakeScene sceneOf(const UvMesh& mesh) {
+    BakeScene scene;
+    scene.surfaces.push_back(surfaceOf(mesh));
+    return scene;
+}
+
+UvMesh unitFloor(int cells) {
+    UvMesh mesh;
+    addUvQuad(mesh, glm::vec3(0.0F), {1.0F, 0.0F, 0.0F}, {0.0F, 0.0F, -1.0F}, cells);
+    return mesh;
+}
+
+BakeScene floorBesideWall(double height, int cells) {
+    BakeScene scene = sceneOf(unitFloor(cells));
+    UvMesh wall;
+    const auto high = static_cast<float>(height);
+    addUvQuad(wall, {0.0F, 0.0F, 500.0F}, {0.0F, 0.0F, -1000.0F}, {0.0F, high, 0.0F}, 1);
+    scene.surfaces.push_back(surfaceOf(wall, -1));
+    return scene;
+}
+
+BakedMap onlyMap(AbstractBaker& baker, int size, int padding, bool fill) {
+    MapOptions options;
+    options.width = size;
+    options.height = size;
+    options.padding = padding;
+    options.fill = fill;
+    auto maps = baker.bakeMaps(options, {});
+    EXPECT_TRUE(maps.ok()) << maps.status().message();
+    if (!maps || maps->size() != 1) {
+        ADD_FAILURE() << "one map is wanted";
+        return {};
+    }
+    return std::move(maps->front());
+}
+
+BakedMap bakeRays(BakeScene scene, int rays, int size) {
+    RayOptions options;
+    options.rays = rays;
+    auto baker = createRayBaker(std::move(scene), options);
+    EXPECT_TRUE(baker.ok()) << baker.status().message();
+    return baker ? onlyMap(**baker, size) : BakedMap{};
+}
+
+} // namespace aolib::bake::test

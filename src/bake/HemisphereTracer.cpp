@@ -53,7 +53,7 @@ struct HemisphereTracer::Packet {
 
 HemisphereTracer::HemisphereTracer(const BakeGeometry& geometry, const RayScene& scene,
                                    const RayOptions& options)
-    : geometry_(geometry), scene_(scene), options_(options),
+    : scene_(scene), options_(options),
       smooth_(options.radius > 0.0F && options.falloff == Falloff::Exp),
       length_(static_cast<float>(std::min(frameLength(scene, options), 0x1p100))),
       decay_(smooth_ ? static_cast<float>(1.0 / (double{options.radius} * scene.scale())) : 0.0F),

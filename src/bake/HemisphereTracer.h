@@ -36,7 +36,7 @@ class HemisphereTracer {
 public:
     static constexpr std::size_t capacity = 16;
 
-    /// Both must outlive the tracer.
+    /// The scene of rays must outlive the tracer.
     HemisphereTracer(const BakeGeometry& geometry, const RayScene& scene,
                      const RayOptions& options);
 
@@ -57,7 +57,6 @@ private:
 
     static constexpr std::size_t slots = capacity * RayChunk::capacity;
 
-    const BakeGeometry& geometry_;
     const RayScene& scene_;
     RayOptions options_;
     bool smooth_;  ///< occluders weigh less with distance

@@ -44,7 +44,7 @@ endif()
 aolib_install_library(aolib aolibTargets)
 aolib_install_pkg_config(aolib)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/aolib DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-    COMPONENT development PATTERN RayTracing.h EXCLUDE)
+    COMPONENT development PATTERN RayTracing.h EXCLUDE PATTERN bake EXCLUDE)
 install(FILES ${PROJECT_BINARY_DIR}/include/aolib/Export.h
     DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/aolib COMPONENT development)
 

@@ -23,7 +23,8 @@ class AccessorReader {
 public:
     AccessorReader(const GltfDocument& document, int index) : document_(document), index_(index) {}
 
-    Loaded<std::vector<glm::vec3>> vectors() const;
+    template <typename Vector>
+    Loaded<std::vector<Vector>> vectors() const;
     Loaded<std::vector<std::uint32_t>> indices() const;
 
 private:
@@ -107,10 +108,14 @@ bool isIndexType(int type) {
            type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
 }
 
-glm::vec3 readVector(const char* bytes, int type, bool normalised) {
+template <typename Vector>
+Vector readVector(const char* bytes, int type, bool normalised) {
     const std::size_t size = componentSize(type);
-    return {readComponent(bytes, type, normalised), readComponent(bytes + size, type, normalised),
-            readComponent(bytes + 2 * size, type, normalised)};
+    Vector result(0.0F);
+    for (int i = 0; i < Vector::length(); ++i) {
+        result[i] = readComponent(bytes + static_cast<std::size_t>(i) * size, type, normalised);
+    }
+    return result;
 }
 
 const tinygltf::Accessor* AccessorReader::find() const {
@@ -177,17 +182,21 @@ AccessorReader::sparseIndices(const tinygltf::Accessor& accessor) const {
     return result;
 }
 
-Loaded<std::vector<glm::vec3>> AccessorReader::vectors() const {
+template <typename Vector>
+Loaded<std::vector<Vector>> AccessorReader::vectors() const {
+    constexpr bool pairs = Vector::length() == 2;
     const tinygltf::Accessor* accessor = find();
     if (accessor == nullptr) {
         return failure("does not exist");
     }
     const int type = accessor->componentType;
-    if (accessor->type != TINYGLTF_TYPE_VEC3 || componentSize(type) == 0) {
-        return failure("does not hold vectors of three numbers");
+    if (accessor->type != (pairs ? TINYGLTF_TYPE_VEC2 : TINYGLTF_TYPE_VEC3) ||
+        componentSize(type) == 0) {
+        return failure(pairs ? "does not hold vectors of two numbers"
+                             : "does not hold vectors of three numbers");
     }
-    const std::size_t size = 3 * componentSize(type);
-    std::vector<glm::vec3> result;
+    const std::size_t size = std::size_t{Vector::length()} * componentSize(type);
+    std::vector<Vector> result;
     if (accessor->bufferView >= 0) {
         const Loaded<ByteRun> run =
             locate(accessor->bufferView, accessor->byteOffset, accessor->count, size);
@@ -196,12 +205,13 @@ Loaded<std::vector<glm::vec3>> AccessorReader::vectors() const {
         }
         result.resize(accessor->count);
         for (std::size_t i = 0; i < result.size(); ++i) {
-            result[i] = readVector(run->first + i * run->stride, type, accessor->normalized);
+            result[i] =
+                readVector<Vector>(run->first + i * run->stride, type, accessor->normalized);
         }
     } else if (accessor->count > mostImplicitElements) {
         return failure("has " + std::to_string(accessor->count) + " elements without any bytes");
     } else {
-        result.resize(accessor->count, glm::vec3(0.0F));
+        result.resize(accessor->count, Vector(0.0F));
     }
     if (!accessor->sparse.isSparse) {
         return result;
@@ -217,7 +227,8 @@ Loaded<std::vector<glm::vec3>> AccessorReader::vectors() const {
         return run.error();
     }
     for (std::size_t i = 0; i < places->size(); ++i) {
-        result[(*places)[i]] = readVector(run->first + i * run->stride, type, accessor->normalized);
+        result[(*places)[i]] =
+            readVector<Vector>(run->first + i * run->stride, type, accessor->normalized);
     }
     return result;
 }
@@ -246,7 +257,11 @@ Loaded<std::vector<std::uint32_t>> AccessorReader::indices() const {
 } // namespace
 
 Loaded<std::vector<glm::vec3>> readVectors(const GltfDocument& document, int accessor) {
-    return AccessorReader(document, accessor).vectors();
+    return AccessorReader(document, accessor).vectors<glm::vec3>();
+}
+
+Loaded<std::vector<glm::vec2>> readPairs(const GltfDocument& document, int accessor) {
+    return AccessorReader(document, accessor).vectors<glm::vec2>();
 }
 
 Loaded<std::vector<std::uint32_t>> readIndices(const GltfDocument& document, int accessor) {

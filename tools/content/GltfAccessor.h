@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "content/GltfDocument.h"
@@ -13,6 +14,9 @@ namespace aolib {
 /// The elements of a three-component accessor as floats: plain, interleaved, sparse, normalised or
 /// quantised. Values may be infinite or NaN. Fails when any byte of it lies outside its buffer.
 Loaded<std::vector<glm::vec3>> readVectors(const GltfDocument& document, int accessor);
+
+/// The same of a two-component accessor.
+Loaded<std::vector<glm::vec2>> readPairs(const GltfDocument& document, int accessor);
 
 /// The elements of an accessor of indices, 8, 16 or 32 bits wide.
 Loaded<std::vector<std::uint32_t>> readIndices(const GltfDocument& document, int accessor);

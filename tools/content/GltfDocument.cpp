@@ -167,6 +167,21 @@ Loaded<std::string> loadBuffer(const Json& buffer, std::size_t index, const Cont
     return bytes;
 }
 
+Loaded<std::vector<std::string>> loadBuffers(const Json& json, const Container& container,
+                                             const std::filesystem::path& file) {
+    std::vector<std::string> buffers;
+    if (json.contains("buffers") && json["buffers"].is_array()) {
+        for (const Json& description : json["buffers"]) {
+            Loaded<std::string> buffer = loadBuffer(description, buffers.size(), container, file);
+            if (!buffer) {
+                return buffer.error();
+            }
+            buffers.push_back(std::move(*buffer));
+        }
+    }
+    return buffers;
+}
+
 std::optional<LoadError> refuseUnreadable(const Json& json, const std::string& name) {
     if (!json.contains("extensionsRequired") || !json["extensionsRequired"].is_array()) {
         return std::nullopt;
@@ -189,6 +204,23 @@ std::string firstLine(std::string text) {
 
 } // namespace
 
+Loaded<GltfParts> openGltf(std::string_view bytes, const std::filesystem::path& file) {
+    const std::string name = file.string();
+    const Loaded<Container> container = openContainer(bytes, name);
+    if (!container) {
+        return container.error();
+    }
+    const Loaded<Json> json = parseJson(container->json, name);
+    if (!json) {
+        return json.error();
+    }
+    Loaded<std::vector<std::string>> buffers = loadBuffers(*json, *container, file);
+    if (!buffers) {
+        return buffers.error();
+    }
+    return GltfParts{name, std::string(container->json), std::move(*buffers)};
+}
+
 Loaded<GltfDocument> parseGltf(std::string_view bytes, const std::filesystem::path& file) {
     GltfDocument document;
     document.name = file.string();
@@ -203,16 +235,11 @@ Loaded<GltfDocument> parseGltf(std::string_view bytes, const std::filesystem::pa
     if (const std::optional<LoadError> error = refuseUnreadable(*json, document.name)) {
         return *error;
     }
-    if (json->contains("buffers") && (*json)["buffers"].is_array()) {
-        for (const Json& description : (*json)["buffers"]) {
-            Loaded<std::string> buffer =
-                loadBuffer(description, document.buffers.size(), *container, file);
-            if (!buffer) {
-                return buffer.error();
-            }
-            document.buffers.push_back(std::move(*buffer));
-        }
+    Loaded<std::vector<std::string>> buffers = loadBuffers(*json, *container, file);
+    if (!buffers) {
+        return buffers.error();
     }
+    document.buffers = std::move(*buffers);
     Json kept = Json::object();
     for (const char* member : keptMembers) {
         if (json->contains(member)) {

@@ -11,6 +11,16 @@
 
 namespace aolib {
 
+/// A glTF as it is: the text of its JSON, and the bytes of its buffers.
+struct GltfParts {
+    std::string name; ///< the file, for messages
+    std::string json; ///< valid, an object
+    std::vector<std::string> buffers;
+};
+
+/// Takes a .gltf or .glb apart. `file` as for parseGltf().
+Loaded<GltfParts> openGltf(std::string_view bytes, const std::filesystem::path& file);
+
 /// A parsed glTF: its structure as tinygltf gives it, and the bytes of its buffers. Images,
 /// textures, animations, skins and cameras are left out; buffer views are not yet checked.
 struct GltfDocument {

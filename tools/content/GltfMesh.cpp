@@ -75,6 +75,7 @@ Loaded<std::vector<ModelMesh>> GltfMeshReader::read(std::size_t index) const {
         if (!mesh) {
             return mesh.error();
         }
+        mesh->origin = {-1, static_cast<int>(index), static_cast<int>(i), primitive.material};
         mesh->name = source.name.empty() ? "mesh " + std::to_string(index) : source.name;
         if (!mesh->indices.empty()) {
             parts.push_back(std::move(*mesh));

@@ -159,6 +159,7 @@ std::optional<LoadError> GltfAssembler::placeMesh(const tinygltf::Node& node, in
         }
         model.meshes.push_back(mesh);
         model.meshes.back().transform = transform;
+        model.meshes.back().origin.node = nodeIndex;
         if (!node.name.empty()) {
             model.meshes.back().name = node.name;
         }

@@ -14,6 +14,14 @@
 
 namespace aolib {
 
+/// Where in a glTF a mesh comes from: numbers of its JSON, -1 where there is none.
+struct GltfOrigin {
+    int node = -1;
+    int mesh = -1;
+    int primitive = -1;
+    int material = -1;
+};
+
 /// One drawable piece of a model: triangles, a colour and a place. Instances of a shared mesh are
 /// copies.
 struct ModelMesh {
@@ -24,6 +32,7 @@ struct ModelMesh {
     glm::vec4 baseColour{1.0F};         ///< linear RGBA, 0 to 1
     glm::mat4 transform{1.0F};          ///< model to world, affine
     bool doubleSided = false;
+    GltfOrigin origin;
 
     std::size_t triangleCount() const { return indices.size() / 3; }
 };

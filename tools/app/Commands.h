@@ -13,6 +13,7 @@ void addCompareCommand(CLI::App& program, MaybeFailure& failure);
 void addTruthCommand(CLI::App& program, MaybeFailure& failure);
 void addScenesCommand(CLI::App& program, MaybeFailure& failure);
 void addBenchCommand(CLI::App& program, MaybeFailure& failure);
+void addBakeCommand(CLI::App& program, MaybeFailure& failure);
 void addDemoCommand(CLI::App& program, MaybeFailure& failure);
 
 } // namespace aolib::app

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "image/FalseColour.h"
+#include "image/FileContent.h"
 #include "image/Pfm.h"
 #include "image/Png.h"
 
@@ -93,6 +94,12 @@ void OutputFiles::put(const fs::path& file, FloatImage visibility) {
 void OutputFiles::put(const fs::path& file, ByteImage picture) {
     entries_.push_back({file, [image = std::move(picture)](const fs::path& to) {
                             return reasonOf(writePng(to, image));
+                        }});
+}
+
+void OutputFiles::put(const fs::path& file, std::vector<std::uint8_t> bytes) {
+    entries_.push_back({file, [content = std::move(bytes)](const fs::path& to) {
+                            return reasonOf(writeFile(to, content));
                         }});
 }
 

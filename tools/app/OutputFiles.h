@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -22,9 +23,11 @@ public:
     /// Announces a folder, made by commit() if it does not exist. Fails where that is impossible.
     MaybeFailure createFolder(const std::string& option, const std::filesystem::path& folder);
 
-    /// Gives an announced file its content: W as PFM, or in grey as PNG, by extension.
+    /// Gives an announced file its content: W as PFM, or in grey as PNG, by extension; a picture as
+    /// PNG; bytes as they are.
     void put(const std::filesystem::path& file, FloatImage visibility);
     void put(const std::filesystem::path& file, ByteImage picture);
+    void put(const std::filesystem::path& file, std::vector<std::uint8_t> bytes);
 
     /// Writes what was put. On failure nothing new is left behind.
     MaybeFailure commit();

@@ -17,6 +17,7 @@ constexpr auto kQuiet = 1s;          ///< tasks shorter than this stay silent
 constexpr auto kBarInterval = 200ms; ///< between redrawings on a terminal
 constexpr auto kLineInterval = 10s;  ///< between lines in a log
 constexpr int kBarCells = 24;
+constexpr double kForetold = 0.02; ///< from this share on the time left is told
 
 std::string percent(double fraction) {
     return std::to_string(static_cast<int>(100.0 * std::clamp(fraction, 0.0, 1.0))) + "%";
@@ -84,6 +85,10 @@ void Progress::show(Clock::time_point now) {
         text << (terminal_ ? bar(fraction) : percent(fraction)) << ' ';
     }
     text << seconds.count() << " s";
+    if (fraction >= kForetold && fraction < 1.0) {
+        const double left = static_cast<double>(seconds.count()) * (1.0 - fraction) / fraction;
+        text << ", about " << static_cast<int>(left + 1.0) << " s left";
+    }
     if (terminal_) {
         const std::size_t width = text.str().size();
         const std::size_t rest = shownWidth_ > width ? shownWidth_ - width : 0;

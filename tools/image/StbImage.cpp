@@ -50,4 +50,18 @@ std::vector<std::uint8_t> encodePng(const TopDownPixels& pixels) {
     return content;
 }
 
+std::vector<std::uint8_t> deflate(const std::vector<std::uint8_t>& bytes) {
+    constexpr int quality = 8;
+    int length = 0;
+    // stb asks for bytes that it may change and does not.
+    unsigned char* packed = stbi_zlib_compress(const_cast<unsigned char*>(bytes.data()), // NOLINT
+                                               static_cast<int>(bytes.size()), &length, quality);
+    if (packed == nullptr) {
+        return {};
+    }
+    std::vector<std::uint8_t> result(packed, packed + length);
+    STBIW_FREE(packed);
+    return result;
+}
+
 } // namespace aolib::stb

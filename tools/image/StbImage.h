@@ -21,6 +21,9 @@ struct TopDownPixels {
 /// The pixels of a PNG file's content, or stb's reason. 16 bit files lose their lower bytes.
 ImageResult<TopDownPixels> decodePng(std::span<const std::uint8_t> content);
 
+/// The bytes as zlib packs them, empty when memory runs out.
+std::vector<std::uint8_t> deflate(const std::vector<std::uint8_t>& bytes);
+
 /// A PNG file's content, empty when memory runs out.
 std::vector<std::uint8_t> encodePng(const TopDownPixels& pixels);
 

@@ -19,13 +19,13 @@ TEST_F(HelpTest, NamesEveryCommandAndExitCode) {
     EXPECT_EQ(help.exitCode, 0);
     EXPECT_EQ(help.err, "");
     for (const char* word :
-         {"render", "compare", "truth", "scenes", "bench", "demo", "Exit codes"}) {
+         {"render", "compare", "truth", "scenes", "bake", "bench", "demo", "Exit codes"}) {
         EXPECT_TRUE(contains(help.out, word)) << word;
     }
 }
 
 TEST_F(HelpTest, OfACommandTeachesByExample) {
-    for (const char* command : {"render", "compare", "truth", "bench", "demo"}) {
+    for (const char* command : {"render", "compare", "truth", "bake", "bench", "demo"}) {
         const ProgramRun help = run({command, "--help"});
         EXPECT_EQ(help.exitCode, 0);
         EXPECT_TRUE(contains(help.out, std::string("Examples:\n  aolib "))) << command;

@@ -1,0 +1,166 @@
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <thread>
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <nlohmann/json.hpp>
+
+#include "Program.h"
+#include "content/SceneSource.h"
+#include "image/Pfm.h"
+#include "image/Png.h"
+
+namespace aolib::test {
+namespace {
+
+using Json = nlohmann::json;
+
+class BakeCommandTest : public ProgramTest {
+protected:
+    void expectDone(const std::vector<std::string>& arguments) const {
+        const ProgramRun done = run(arguments);
+        EXPECT_EQ(done.exitCode, 0) << done.err;
+    }
+    void expectRefused(const std::vector<std::string>& arguments,
+                       const std::vector<std::string>& words) const {
+        const auto before = names();
+        const ProgramRun refused = run(arguments);
+        EXPECT_EQ(refused.exitCode, 2) << refused.out << refused.err;
+        for (const std::string& word : words) {
+            EXPECT_NE(refused.err.find(word), std::string::npos) << refused.err;
+        }
+        EXPECT_EQ(names(), before);
+    }
+    Json jsonOf(const std::string& name) const {
+        const std::string bytes = bytesOf(name);
+        std::uint32_t length = 0;
+        std::memcpy(&length, &bytes.at(12), 4);
+        return Json::parse(bytes.substr(20, length));
+    }
+    /// The middle of a map's part, given in shares of its sides.
+    static float at(const FloatImage& map, float u, float v) {
+        return map.at(static_cast<int>(u * float(map.width)),
+                      static_cast<int>(v * float(map.height)));
+    }
+};
+
+TEST_F(BakeCommandTest, ATextureGoesIntoTheMaterialAndIntoFiles) {
+    expectDone({"bake", "uv-shapes", "-o", "out.glb", "--ao", "ao.pfm", "--bent-normals",
+                "bent.png", "--size", "64", "--rays", "64"});
+    EXPECT_EQ(names(), (std::vector<std::string>{"ao.pfm", "bent.png", "out.glb"}));
+    const Json json = jsonOf("out.glb");
+    EXPECT_EQ(json["materials"][0]["occlusionTexture"]["index"], 0);
+    EXPECT_EQ(json["images"].size(), 1U);
+    const auto map = readPfm(path("ao.pfm"));
+    ASSERT_TRUE(map) << map.message();
+    EXPECT_GT(at(*map, 0.5F, 0.97F), 0.5F) << "the sphere's upper pole";
+    EXPECT_LT(at(*map, 0.5F, 0.55F), 0.1F) << "its lower pole, above the box's floor";
+    EXPECT_EQ(at(*map, 0.75F, 0.1F), 1.0F) << "outside the box";
+    const auto bent = readPng(path("bent.png"));
+    ASSERT_TRUE(bent) << bent.message();
+    EXPECT_EQ(bent->channels, 3);
+    EXPECT_GT(bent->at(32, 62, 1), 240) << "the upper pole's points up";
+}
+
+TEST_F(BakeCommandTest, SixteenBitsAreWrittenWhenAskedFor) {
+    expectDone({"bake", "uv-box", "--ao", "ao.png", "--size", "16", "--rays", "4", "--bits", "16"});
+    EXPECT_EQ(bytesOf("ao.png")[24], 16);
+}
+
+TEST_F(BakeCommandTest, VerticesGetAttributesOrColours) {
+    expectDone({"bake", "cornell", "-o", "ao.glb", "--target", "vertex", "--rays", "16"});
+    const Json mesh = jsonOf("ao.glb")["meshes"][0]["primitives"][0]["attributes"];
+    EXPECT_TRUE(mesh.contains("_AO"));
+    EXPECT_TRUE(mesh.contains("_BENT_NORMAL"));
+    for (const char* fit : {"triangle-mean", "least-squares"}) {
+        expectDone({"bake", "cornell", "-o", "color.glb", "--target", "vertex", "--rays", "16",
+                    "--attribute", "color", "--fit", fit});
+        EXPECT_TRUE(
+            jsonOf("color.glb")["meshes"][0]["primitives"][0]["attributes"].contains("COLOR_0"));
+    }
+    expectRefused({"bake", "color.glb", "-o", "again.glb", "--target", "vertex", "--attribute",
+                   "color", "--rays", "1"},
+                  {"vertex colours already"});
+}
+
+TEST_F(BakeCommandTest, WhereThereAreNoUvsTheyAreMadeOrTheLackIsTold) {
+    expectDone({"bake", "cornell", "-o", "out.glb", "--size", "128", "--rays", "16"});
+    const Json json = jsonOf("out.glb");
+    EXPECT_EQ(json["images"].size(), 5U);
+    for (const Json& mesh : json["meshes"]) {
+        EXPECT_TRUE(mesh["primitives"][0]["attributes"].contains("TEXCOORD_0"));
+    }
+    expectRefused({"bake", "cornell", "-o", "no.glb", "--unwrap", "never"},
+                  {"of 6 triangles 6 have no UVs", "--unwrap auto"});
+    // Baked once more, the file's own UVs will do.
+    const ProgramRun again = run({"bake", "out.glb", "-o", "again.glb", "--unwrap", "never",
+                                  "--size", "128", "--rays", "1"});
+    EXPECT_EQ(again.exitCode, 0) << again.err;
+}
+
+TEST_F(BakeCommandTest, ManyModelsGoToAFolder) {
+    std::filesystem::create_directory(path("made"));
+    expectDone({"bake", "uv-box", "uv-sphere", "-o", "made", "--size", "16", "--rays", "1"});
+    EXPECT_EQ(names(), (std::vector<std::string>{"made", "made/uv-box.glb", "made/uv-sphere.glb"}));
+    expectRefused({"bake", "uv-box", "uv-sphere", "-o", "one.glb"}, {"--out", "folder"});
+}
+
+TEST_F(BakeCommandTest, WhatCannotBeUsedIsRefused) {
+    expectRefused({"bake", "uv-box"}, {"--out", "needed"});
+    expectRefused({"bake", "nothing", "-o", "a.glb"}, {"nothing", "uv-shapes"});
+    expectRefused({"bake", "uv-box", "-o", "a.obj"}, {"--out", ".glb"});
+    expectRefused({"bake", "uv-box", "-o", "a.glb", "--rays", "0"}, {"--rays"});
+    expectRefused({"bake", "uv-box", "-o", "a.glb", "--ground", "deep"}, {"--ground"});
+    expectRefused({"bake", "uv-box", "-o", "a.glb", "--target", "vertex", "--ao", "a.png"},
+                  {"--target vertex"});
+    expectRefused({"bake", "uv-box", "-o", "a.glb", "--target", "vertex", "--density", "0"},
+                  {"density"});
+    write("cut.glb", std::string("glTF\2\0\0\0\377\0\0\0", 12));
+    expectRefused({"bake", "cut.glb", "-o", "a.glb"}, {"cut.glb"});
+}
+
+TEST_F(BakeCommandTest, CtrlCLeavesNothingBehind) {
+    const pid_t child = fork();
+    if (child == 0) {
+        const int nowhere = open("/dev/null", O_WRONLY);
+        dup2(nowhere, STDOUT_FILENO);
+        dup2(nowhere, STDERR_FILENO);
+        if (chdir(path(".").c_str()) == 0) {
+            execl(AOLIB_PROGRAM, AOLIB_PROGRAM, "bake", "uv-shapes", "-o", "out.glb", "--ao",
+                  "ao.png", "--rays", "1000000", static_cast<char*>(nullptr));
+        }
+        _exit(127);
+    }
+    ASSERT_GT(child, 0);
+    std::this_thread::sleep_for(std::chrono::seconds(1)); // the bake itself takes hours
+    kill(child, SIGINT);
+    int status = 0;
+    ASSERT_EQ(waitpid(child, &status, 0), child);
+    EXPECT_TRUE(WIFEXITED(status)) << "it was killed and had no chance to clean up";
+    EXPECT_EQ(WEXITSTATUS(status), 1);
+    EXPECT_EQ(names(), std::vector<std::string>());
+}
+
+TEST_F(BakeCommandTest, RealModelsKeepTheirOwnUvs) {
+    const auto folder = defaultModelsDir();
+    for (const char* name : {"boombox.glb", "flight_helmet.glb"}) {
+        if (!folder || !std::filesystem::exists(*folder / name)) {
+            GTEST_SKIP() << "NOT TESTED: there is no " << name << " in AOLIB_MODELS_DIR";
+        }
+        const std::string model = std::filesystem::absolute(*folder / name).string();
+        const ProgramRun done = run({"bake", model, "-o", name, "--size", "256", "--rays", "2"});
+        EXPECT_EQ(done.exitCode, 0) << done.err;
+        EXPECT_NE(done.out.find("TEXCOORD_0"), std::string::npos) << done.out;
+        for (const Json& material : jsonOf(name)["materials"]) {
+            EXPECT_TRUE(material.contains("occlusionTexture")) << material;
+        }
+    }
+}
+
+} // namespace
+} // namespace aolib::test

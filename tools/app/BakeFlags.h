@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include <aolib/bake/BakeOptions.h>
+
+#include "app/GlSession.h"
+#include "app/ParseValues.h"
+
+namespace aolib::app {
+
+enum class BakeMethod { Rays };
+enum class BakeTarget { Texture, Vertex };
+enum class Unwrap { Auto, Never, Always };
+enum class VertexAttribute { Ao, Color };
+
+/// What `aolib bake` is asked for.
+struct BakeFlags {
+    std::vector<std::string> inputs;
+    std::string out;
+    std::string ao;
+    std::string bentNormals;
+    BakeMethod method = BakeMethod::Rays;
+    BakeTarget target = BakeTarget::Texture;
+    Unwrap unwrap = Unwrap::Auto;
+    VertexAttribute attribute = VertexAttribute::Ao;
+    int bits = 8;
+    int uvSet = -1; ///< -1: the first that will do
+    Length radius;  ///< 0: endless
+    bake::RayOptions rays;
+    bake::MapOptions map;
+    bake::VertexOptions vertices;
+    bool ground = false;
+    std::optional<double> groundHeight; ///< none: below the model
+
+    /// Adds the flags to a command. The object must outlive it.
+    void attach(CLI::App& command);
+};
+
+} // namespace aolib::app

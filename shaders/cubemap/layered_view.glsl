@@ -3,8 +3,9 @@
 #include "shared/cube_faces.h"
 #include "shared/octahedral.h"
 
-// Six faces side by side per layer: entry (-1 none), exit, octahedral normal.
+// The layers of each face, one face after the other: entry (-1 none), exit, octahedral normal.
 uniform sampler2DArray uIntervals;
+uniform ivec4 uFaceLayers[6]; // a face's first layer, how many it has
 uniform int uLayers;
 uniform int uFaceSize;
 
@@ -40,5 +41,6 @@ vec3 rayOf(Texel texel) {
 
 // Entry, exit and normal of one layer; entry negative where there is none.
 vec4 intervalAt(Texel texel, int layer) {
-    return texelFetch(uIntervals, ivec3(texel.at + ivec2(texel.face * uFaceSize, 0), layer), 0);
+    ivec2 layers = uFaceLayers[texel.face].xy;
+    return layer < layers.y ? texelFetch(uIntervals, ivec3(texel.at, layers.x + layer), 0) : vec4(-1.0);
 }

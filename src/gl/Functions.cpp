@@ -1,5 +1,7 @@
 #include "gl/Functions.h"
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <cstring>
 #include <set>
@@ -44,6 +46,16 @@ int versionOf(const Functions& gl) {
     return std::sscanf(text, "%d.%d", &major, &minor) == 2 ? major * 10 + minor : 0;
 }
 
+/// GL says nothing else of what it runs on.
+bool isSoftware(const Functions& gl) {
+    const auto* text = reinterpret_cast<const char*>(gl.GetString(GL_RENDERER));
+    const std::string name = text != nullptr ? text : "";
+    constexpr std::array<const char*, 6> kKnown{"llvmpipe",    "softpipe",    "Software Rasterizer",
+                                                "SwiftShader", "GDI Generic", "Basic Render"};
+    return std::any_of(kKnown.begin(), kKnown.end(),
+                       [&](const char* known) { return name.find(known) != std::string::npos; });
+}
+
 Functions::Capabilities capabilitiesOf(const Functions& gl, int version) {
     const std::set<std::string> extensions = extensionsOf(gl);
     const auto has = [&](int since, const char* extension, auto... functions) {
@@ -70,6 +82,7 @@ Functions::Capabilities capabilitiesOf(const Functions& gl, int version) {
     can.packInvert = extensions.count("GL_MESA_pack_invert") != 0;
     can.queryBuffer = has(44, "GL_ARB_query_buffer_object") ||
                       extensions.count("GL_AMD_query_buffer_object") != 0;
+    can.software = isSoftware(gl);
     can.maxTextureSize = integer(gl, GL_MAX_TEXTURE_SIZE);
     can.maxTextureLayers = integer(gl, GL_MAX_ARRAY_TEXTURE_LAYERS);
     can.maxTextureUnits = integer(gl, GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS);

@@ -34,6 +34,7 @@ struct Functions {
         bool queryBuffer = false;       ///< GL 4.4 or ARB_query_buffer_object
         bool conservativeQuery = false; ///< GL 4.3 or ARB_ES3_compatibility
         bool packInvert = false;        ///< MESA_pack_invert
+        bool software = false; ///< rasterises on the host's own processor, as its name tells
         int maxTextureSize = 0;
         int maxTextureLayers = 0;
         int maxTextureUnits = 0; ///< of all stages together

@@ -6,11 +6,13 @@ namespace aolib::gl {
 
 PixelReadback::PixelReadback(PixelReadback&& other) noexcept
     : gl_(other.gl_), buffer_(std::move(other.buffer_)),
-      fence_(std::exchange(other.fence_, nullptr)) {}
+      started_(std::exchange(other.started_, false)), fence_(std::exchange(other.fence_, nullptr)) {
+}
 
 PixelReadback& PixelReadback::operator=(PixelReadback&& other) noexcept {
     std::swap(gl_, other.gl_);
     std::swap(buffer_, other.buffer_);
+    std::swap(started_, other.started_);
     std::swap(fence_, other.fence_);
     return *this;
 }
@@ -38,14 +40,24 @@ void PixelReadback::start(int width, int height, GLenum format, GLenum type) {
     gl_->ReadPixels(0, 0, width, height, format, type, nullptr);
     gl_->BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
     fence_ = gl_->FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    started_ = true;
 }
 
-bool PixelReadback::poll(const std::function<void(std::span<const std::uint8_t>)>& take) {
-    if (fence_ == nullptr) {
-        return false;
+bool PixelReadback::arrivesWithin(GLuint64 nanoseconds) const {
+    return started_ &&
+           (fence_ == nullptr || gl_->ClientWaitSync(fence_, GL_SYNC_FLUSH_COMMANDS_BIT,
+                                                     nanoseconds) != GL_TIMEOUT_EXPIRED);
+}
+
+bool PixelReadback::arrived() const {
+    return arrivesWithin(0);
+}
+
+bool PixelReadback::finish(const Take& take) {
+    constexpr GLuint64 kSecond = 1000000000;
+    while (started_ && !arrived() && !arrivesWithin(kSecond)) {
     }
-    const GLenum state = gl_->ClientWaitSync(fence_, GL_SYNC_FLUSH_COMMANDS_BIT, 0);
-    if (state != GL_ALREADY_SIGNALED && state != GL_CONDITION_SATISFIED) {
+    if (!started_) {
         return false;
     }
     cancel();
@@ -57,10 +69,19 @@ bool PixelReadback::poll(const std::function<void(std::span<const std::uint8_t>)
         gl_->UnmapBuffer(GL_PIXEL_PACK_BUFFER);
     }
     gl_->BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
-    return true;
+    return pixels != nullptr;
+}
+
+bool PixelReadback::poll(const Take& take) {
+    const bool is = arrived();
+    if (is) {
+        finish(take);
+    }
+    return is;
 }
 
 void PixelReadback::cancel() {
+    started_ = false;
     if (fence_ != nullptr) {
         gl_->DeleteSync(std::exchange(fence_, nullptr));
     }

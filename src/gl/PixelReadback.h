@@ -22,19 +22,29 @@ public:
     static Result<PixelReadback> create(const Functions& gl, std::size_t bytes,
                                         const std::string& label);
 
-    bool pending() const { return fence_ != nullptr; }
+    using Take = std::function<void(std::span<const std::uint8_t>)>;
+
+    std::size_t bytes() const { return buffer_.bytes(); }
+    bool pending() const { return started_; }
     /// Starts reading `width` x `height` pixels of the read framebuffer. Not while pending().
     void start(int width, int height, GLenum format, GLenum type);
-    /// Once the pixels have arrived, calls `take` with them and is free again.
-    /// @return whether they had arrived.
-    bool poll(const std::function<void(std::span<const std::uint8_t>)>& take);
+    /// Whether the pixels have: finish() then does not wait.
+    bool arrived() const;
+    /// Waits for them, calls `take` with all of the buffer, and is free again.
+    /// @return false when there is nothing to take: GL may refuse to show the buffer.
+    bool finish(const Take& take);
+    /// finish() once they have arrived. @return whether they had.
+    bool poll(const Take& take);
     /// Forgets what was started.
     void cancel();
 
 private:
+    bool arrivesWithin(GLuint64 nanoseconds) const;
+
     const Functions* gl_ = nullptr;
     Buffer buffer_;
-    GLsync fence_ = nullptr;
+    bool started_ = false;
+    GLsync fence_ = nullptr; ///< null when GL gave none: then mapping the buffer waits
 };
 
 } // namespace aolib::gl

@@ -23,15 +23,16 @@ public:
     /// Computes all that is asked for of one cube map before it returns.
     virtual Status complete(CubeMapProjector& projector) = 0;
     /// Goes on with these, the first ones first.
-    /// @param milliseconds  GPU time that it may take, as far as can be told beforehand; one unit
-    /// of
-    ///                      work is done in any case.
+    /// @param milliseconds  that it may take, as far as can be told beforehand; one unit of work is
+    ///                      done in any case.
     virtual Status advance(const std::vector<CubeMapProjector*>& projectors,
                            double milliseconds) = 0;
     /// Whether something that is asked for is still to be computed.
     virtual bool lacks(const CubeMapProjector& projector) const {
         return projector.tiles.lacks(passes());
     }
+    /// Whether it is about to look at the scene, over several frames.
+    virtual bool capturing(CubeMapId /*id*/) const { return false; }
     /// Forgets what it holds for a cube map that is gone or has to begin again.
     virtual void forget(CubeMapId id) = 0;
     /// GPU memory held for cube maps on their way.

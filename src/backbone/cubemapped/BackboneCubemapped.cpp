@@ -236,8 +236,12 @@ Status BackboneCubemapped::followScene() {
         // Receivers up to a radius away from the change see a difference.
         const Bounds region = change.region.inflated(reach);
         for (const auto& projector : projectors_) {
-            projector->dirty =
-                projector->dirty || sight_->sees(context_, *projector, store_, region);
+            // What it keeps does not tell what a capture on its way sees, nor may it begin again
+            // with each step of something that moves out of sight. Other meshes, other numbers.
+            const bool capturing = raster_ && raster_->capturing(projector->id());
+            projector->outdated = projector->outdated || capturing;
+            projector->dirty = projector->dirty || (capturing && change.geometry) ||
+                               sight_->sees(context_, *projector, store_, region);
         }
     }
     return {};
@@ -308,8 +312,10 @@ Status BackboneCubemapped::compute(const std::vector<CubeMapProjector*>& project
     }
     passes_ = (*texels)->passes();
     for (CubeMapProjector* projector : projectors) {
-        const bool begins = projector->dirty;
+        const bool again = projector->outdated && !(*texels)->capturing(projector->id());
+        const bool begins = projector->dirty || again;
         if (begins) {
+            projector->outdated = false;
             forget(projector->id());
             projector->dropDetails(store_, details_);
             projector->buildMs = 0.0;

@@ -65,6 +65,8 @@ public:
     TileProgress tiles;
     /// The scene or the options changed what it sees: compute again before the next use.
     bool dirty = true;
+    /// The scene changed while it was captured: compute again afterwards, and the change shows.
+    bool outdated = false;
     /// Each tile that was asked for has had its first passes: it may be shown.
     bool shown = false;
     float bias = kNewcomer;       ///< added to log2 of its quality; 0 once it has come in

@@ -1,20 +1,17 @@
 #include "backbone/cubemapped/DeferredShading.h"
 
+#include <algorithm>
 #include <array>
 #include <string>
+#include <utility>
 
 #include "backbone/Estimators.h"
 #include "backbone/ShaderLibrary.h"
+#include "backbone/cubemapped/LayerCapture.h"
+#include "backbone/cubemapped/NearestCapture.h"
 #include "gl/Label.h"
 
 namespace aolib {
-
-namespace {
-
-using Format = gl::RenderToTexture2D::Format;
-using Depth = gl::RenderToTexture2D::Depth;
-
-} // namespace
 
 Result<DeferredShading> DeferredShading::create(const BackboneContext& context) {
     auto capture = buildShader(context.gl, "cubemap/capture.vert", "cubemap/capture.frag");
@@ -63,10 +60,9 @@ Status DeferredShading::chooseEstimator(const BackboneContext& context) {
 
 // ---- Capture ------------------------------------------------------------------------------------
 
-Result<CubeMapCapture> DeferredShading::capture(const BackboneContext& context,
-                                                const SceneGeometry& geometry,
-                                                CubeMapProjector& projector, FaceStore& store) {
-    const gl::DebugGroup group(context.gl, "aolib: capture a cube map");
+Result<CubeMapCapture> DeferredShading::begin(const BackboneContext& context,
+                                              const SceneGeometry& geometry,
+                                              CubeMapProjector& projector, FaceStore& store) {
     if (context.scene.empty()) {
         return Status(StatusCode::NoScene,
                       "there are no triangles to place a cube map among; describe a mesh first");
@@ -74,85 +70,47 @@ Result<CubeMapCapture> DeferredShading::capture(const BackboneContext& context,
     if (Status status = chooseEstimator(context); !status) {
         return status;
     }
-    CubeMapCapture capture;
-    const int size = projector.tiles.faceSize();
-    auto accumulated = gl::RenderToTexture2D::create(context.gl, {.width = kFaces * size,
-                                                                  .height = size,
-                                                                  .targets = {Format::RG32F},
-                                                                  .label = "aolib/accumulated"});
-    if (!accumulated) {
-        return accumulated.status();
-    }
-    const std::array<GLfloat, 4> nothing{};
-    accumulated->begin(0);
-    context.gl.ClearBufferfv(GL_COLOR, 0, nothing.data());
-    capture.accumulated = std::move(*accumulated);
     const DistanceRange range = distanceRange(context.scene, projector.position());
     projector.spanDistances(store, range.nearest, range.farthest);
-    const Status status = traitsOf(*estimator_).layered
-                              ? captureLayers(context, geometry, range, projector, store, capture)
-                              : captureNearest(context, geometry, range, projector, store, capture);
-    if (!status) {
-        return status;
+    const FaceCapture faces(context, geometry, projector, range);
+    CubeMapCapture capture;
+    if (traitsOf(*estimator_).layered) {
+        capture.geometry = std::make_unique<LayerCapture>(context, geometry, faces, peeling_,
+                                                          context.options.layeredIntervals.layers);
+    } else {
+        capture.geometry = std::make_unique<NearestCapture>(context, faces, capture_);
     }
-    capture.bytes += capture.accumulated.bytes();
-    projector.captureBytes = capture.bytes;
     return capture;
 }
 
-Status DeferredShading::captureNearest(const BackboneContext& context,
-                                       const SceneGeometry& geometry, const DistanceRange& range,
-                                       CubeMapProjector& projector, FaceStore& store,
-                                       CubeMapCapture& capture) {
-    const gl::Functions& gl = context.gl;
+Status DeferredShading::step(const BackboneContext& context, CubeMapCapture& capture,
+                             CubeMapProjector& projector, FaceStore& store) {
+    if (!capture.geometry->complete()) {
+        return capture.geometry->step();
+    }
+    if (capture.accumulated) {
+        projector.captured = capture.geometry->layers();
+        projector.captureBytes = std::max(capture.geometry->mostBytes(), capture.bytes());
+        const Status status = projector.keepFaces(store, capture.geometry->modelled());
+        capture.ready = status.ok();
+        return status;
+    }
     const int size = projector.tiles.faceSize();
-    auto nearest = gl::RenderToTexture2D::create(gl, {.width = kFaces * size,
-                                                      .height = size,
-                                                      .targets = {Format::RGBA32F},
-                                                      .depth = Depth::Depth32F,
-                                                      .label = "aolib/capture"});
-    if (!nearest) {
-        return nearest.status();
+    auto accumulated = gl::RenderToTexture2D::create(
+        context.gl, {.width = kFaces * size,
+                     .height = size,
+                     .targets = {gl::RenderToTexture2D::Format::RG32F},
+                     .label = "aolib/accumulated"});
+    if (accumulated) {
+        const std::array<GLfloat, 4> nothing{};
+        accumulated->begin(0);
+        context.gl.ClearBufferfv(GL_COLOR, 0, nothing.data());
+        capture.accumulated = std::move(*accumulated);
     }
-    const std::array<GLfloat, 4> nothing{0.0F, 0.0F, 0.0F, -1.0F};
-    const GLfloat deepest = 1.0F;
-    nearest->beginAll();
-    gl.ClearBufferfv(GL_COLOR, 0, nothing.data());
-    gl.ClearBufferfv(GL_DEPTH, 0, &deepest);
-    capture_.bind();
-    const auto drawn = FaceCapture(context, geometry, projector, range).draw(capture_);
-    projector.captured = 1;
-    capture.nearest = std::move(*nearest);
-    capture.bytes = capture.nearest.bytes();
-    return projector.keepFaces(store, drawn);
-}
-
-Status DeferredShading::captureLayers(const BackboneContext& context, const SceneGeometry& geometry,
-                                      const DistanceRange& range, CubeMapProjector& projector,
-                                      FaceStore& store, CubeMapCapture& capture) {
-    auto layers = peeling_.capture(context, geometry, projector, range,
-                                   context.options.layeredIntervals.layers);
-    if (!layers) {
-        return layers.status();
-    }
-    projector.captured = layers->intervals.layers();
-    capture.bytes = layers->bytes;
-    capture.layers = std::move(*layers);
-    return projector.keepFaces(store, capture.layers->modelled);
+    return accumulated.status();
 }
 
 // ---- Texels -------------------------------------------------------------------------------------
-
-void DeferredShading::bind(gl::GLSLShader& shader, const CubeMapCapture& capture, int faceSize) {
-    shader.bind();
-    if (capture.layers) {
-        LayerPeeling::bind(shader, *capture.layers, faceSize);
-    } else {
-        capture.nearest.bindTexture(0, 0);
-        shader.set("uGeometry", 0);
-        shader.set("uFaceSize", faceSize);
-    }
-}
 
 void DeferredShading::accumulate(const BackboneContext& context, const CubeMapCapture& capture,
                                  float radius, const TileProgress::Region& region, int first,
@@ -162,7 +120,8 @@ void DeferredShading::accumulate(const BackboneContext& context, const CubeMapCa
     const int size = capture.accumulated.height();
     capture.accumulated.begin(0);
     gl.Viewport(region.face * size + region.x, region.y, region.width, region.height);
-    bind(visibility_, capture, size);
+    visibility_.bind();
+    capture.geometry->bind(visibility_);
     visibility_.set("uFace", region.face);
     visibility_.set("uFirstSlice", first);
     visibility_.set("uSliceCount", count);
@@ -179,7 +138,8 @@ void DeferredShading::resolve(const BackboneContext& context, const CubeMapCaptu
     const gl::DebugGroup group(context.gl, "aolib: keep texels");
     store.begin(projector.layer(region.face));
     context.gl.Viewport(region.x, region.y, region.width, region.height);
-    bind(resolve_, capture, store.faceSize());
+    resolve_.bind();
+    capture.geometry->bind(resolve_);
     capture.accumulated.bindTexture(0, 1);
     resolve_.set("uAccumulated", 1);
     resolve_.set("uFace", region.face);

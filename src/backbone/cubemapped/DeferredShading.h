@@ -1,8 +1,9 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 
-#include "backbone/cubemapped/FaceCapture.h"
+#include "backbone/cubemapped/AbstractCapture.h"
 #include "backbone/cubemapped/LayerPeeling.h"
 
 namespace aolib {
@@ -10,10 +11,13 @@ namespace aolib {
 /// A captured cube map on its way: what its estimator reads, and what it has found so far. Lives
 /// only as long as there is something to compute.
 struct CubeMapCapture {
-    gl::RenderToTexture2D nearest;              ///< normal, distance; or ...
-    std::optional<LayerPeeling::Layers> layers; ///< ... layers of solid intervals
-    gl::RenderToTexture2D accumulated;          ///< six faces side by side: blocked weight, weight
-    std::size_t bytes = 0;                      ///< GPU memory at the peak
+    std::unique_ptr<AbstractCapture> geometry;
+    gl::RenderToTexture2D accumulated; ///< six faces side by side: blocked weight, weight
+    bool ready = false;                ///< texels can be computed
+
+    WorkUnit next() const { return geometry->complete() ? WorkUnit::Prepare : geometry->next(); }
+    bool waits() const { return !geometry->complete() && geometry->waits(); }
+    std::size_t bytes() const { return geometry->bytes() + accumulated.bytes(); }
 };
 
 /// Captures the scene's geometry on the faces of a cube map and computes the ambient occlusion of
@@ -27,10 +31,14 @@ public:
     /// Passes until the options' estimate is complete.
     static int passes(const Options& options);
 
-    /// Captures, and makes room for the faces that hold geometry.
-    /// Errors: NoScene, MissingCapability, OutOfMemory, ShaderError.
-    Result<CubeMapCapture> capture(const BackboneContext& context, const SceneGeometry& geometry,
-                                   CubeMapProjector& projector, FaceStore& store);
+    /// Begins a capture. Errors: NoScene, ShaderError. @param context  outlives it.
+    Result<CubeMapCapture> begin(const BackboneContext& context, const SceneGeometry& geometry,
+                                 CubeMapProjector& projector, FaceStore& store);
+    /// The next unit of a capture that is not ready; the last ones make room for what is computed,
+    /// and for the faces that hold geometry. Waits if the capture does. Errors: MissingCapability,
+    /// OutOfMemory.
+    static Status step(const BackboneContext& context, CubeMapCapture& capture,
+                       CubeMapProjector& projector, FaceStore& store);
     /// Adds passes [first, first + count) to the texels of a region.
     /// @param radius  reach of occluders, world units.
     void accumulate(const BackboneContext& context, const CubeMapCapture& capture, float radius,
@@ -42,13 +50,6 @@ public:
 
 private:
     Status chooseEstimator(const BackboneContext& context);
-    Status captureNearest(const BackboneContext& context, const SceneGeometry& geometry,
-                          const DistanceRange& range, CubeMapProjector& projector, FaceStore& store,
-                          CubeMapCapture& capture);
-    Status captureLayers(const BackboneContext& context, const SceneGeometry& geometry,
-                         const DistanceRange& range, CubeMapProjector& projector, FaceStore& store,
-                         CubeMapCapture& capture);
-    static void bind(gl::GLSLShader& shader, const CubeMapCapture& capture, int faceSize);
 
     gl::GLSLShader capture_;
     LayerPeeling peeling_;

@@ -67,32 +67,21 @@ DistanceRange distanceRange(const Scene& scene, const glm::vec3& centre) {
             farthest * (1.0F + kRangeSlack)};
 }
 
-std::array<bool, kFaces> FaceCapture::draw(gl::GLSLShader& shader) const {
+bool FaceCapture::draw(gl::GLSLShader& shader, int face) const {
     const gl::Functions& gl = context_.gl;
     const float near = range_.nearest / std::numbers::sqrt3_v<float>;
     const float far = range_.farthest;
     shader.set("uDepthMap",
                glm::vec2((far + near) / (far - near), -2.0F * far * near / (far - near)));
-    gl.Enable(GL_DEPTH_TEST);
-    std::array<bool, kFaces> drawn{};
-    for (int face = 0; face < kFaces; ++face) {
-        gl.Viewport(face * projector_.tiles.faceSize(), 0, projector_.tiles.faceSize(),
-                    projector_.tiles.faceSize());
-        drawn[static_cast<std::size_t>(face)] = drawFace(shader, face);
-    }
-    gl.Disable(GL_DEPTH_TEST);
-    return drawn;
-}
-
-bool FaceCapture::drawFace(gl::GLSLShader& shader, int face) const {
-    bool drawn = false;
     shader.set("uCubeToFace", cubeToFace(face));
+    gl.Enable(GL_DEPTH_TEST);
+    bool drawn = false;
     for (const auto& [id, mesh] : context_.scene.meshes()) {
-        if (!reachesFace(mesh.worldBounds(), projector_.position(), face)) {
+        if (!reachesFace(mesh.worldBounds(), centre(), face)) {
             continue;
         }
         const SceneGeometry::Piece& piece = geometry_.piece(id);
-        shader.set("uModelToCube", modelToCube(mesh.transform, projector_.position()));
+        shader.set("uModelToCube", modelToCube(mesh.transform, centre()));
         shader.set("uNormalMatrix", normalMatrix(mesh.transform));
         shader.set("uHasNormals", piece.triangles.hasNormals() ? 1 : 0);
         shader.set("uMirrored", glm::determinant(glm::mat3(mesh.transform)) < 0.0F ? 1 : 0);
@@ -100,6 +89,7 @@ bool FaceCapture::drawFace(gl::GLSLShader& shader, int face) const {
         piece.triangles.drawTriangles();
         drawn = true;
     }
+    gl.Disable(GL_DEPTH_TEST);
     return drawn;
 }
 

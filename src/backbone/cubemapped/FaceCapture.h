@@ -23,13 +23,14 @@ public:
                 const CubeMapProjector& projector, const DistanceRange& range)
         : context_(context), geometry_(geometry), projector_(projector), range_(range) {}
 
-    /// Draws every face that something lies before, each into its part of the bound target, with
-    /// depth test. @return which faces those are.
-    std::array<bool, kFaces> draw(gl::GLSLShader& shader) const;
+    /// Draws what lies before a face into the viewport, with depth test.
+    /// @return whether there is anything.
+    bool draw(gl::GLSLShader& shader, int face) const;
+
+    int size() const { return projector_.tiles.faceSize(); }
+    const glm::vec3& centre() const { return projector_.position(); }
 
 private:
-    bool drawFace(gl::GLSLShader& shader, int face) const;
-
     const BackboneContext& context_;
     const SceneGeometry& geometry_;
     const CubeMapProjector& projector_;

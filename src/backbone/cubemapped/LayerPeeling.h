@@ -3,13 +3,12 @@
 #include <vector>
 
 #include "backbone/cubemapped/FaceCapture.h"
-#include "gl/TextureStack.h"
+#include "gl/RenderToTexture2D.h"
 
 namespace aolib {
 
-/// Captures a cube map's surroundings as layers of solid intervals [entry, exit] along each texel's
-/// ray, nearest first. The intervals are counted before, so that no more layers are made than there
-/// are.
+/// The passes over one face of a cube map that find layers of solid intervals [entry, exit] along
+/// each texel's ray, nearest first.
 ///
 /// Open meshes are mostly seen from one side only, as walls and hulls are: then what lies behind
 /// that side, up to the next surface, is out of sight, and taking it as solid is right wherever a
@@ -17,45 +16,44 @@ namespace aolib {
 /// thickness.
 class LayerPeeling {
 public:
-    static constexpr int kMostLayers = 8;
+    /// Solids that may contain a cube's centre, as shaders/cubemap/peel.glsl has room for.
+    static constexpr std::size_t kMostAround = 16;
+    /// Sheets that are no lids, as shaders/cubemap/peel.vert has room for.
+    static constexpr std::size_t kMostUnusual = 128;
+
+    /// What the passes must know of the whole scene.
+    struct Marks {
+        std::vector<float> around;  ///< solids that contain the cube's centre
+        std::vector<float> unusual; ///< sheets that are no lids; negative where only backs show
+    };
 
     /// Errors: ShaderError.
     static Result<LayerPeeling> create(const BackboneContext& context);
 
-    struct Layers {
-        /// Six faces side by side per layer: entry (-1 none), exit, octahedral normal.
-        gl::TextureStack intervals;
-        std::array<bool, kFaces> modelled{}; ///< faces that hold geometry
-        std::size_t bytes = 0;               ///< GPU memory at the peak of the capture
-    };
-    /// @param most  layers at most, 1 to kMostLayers. Errors: MissingCapability, OutOfMemory.
-    Result<Layers> capture(const BackboneContext& context, const SceneGeometry& geometry,
-                           const CubeMapProjector& projector, const DistanceRange& range, int most);
-
-    /// Binds the layers to texture unit 0 and sets the uniforms of
-    /// shaders/cubemap/layered_view.glsl.
-    static void bind(gl::GLSLShader& shader, const Layers& layers, int faceSize);
+    /// The side that each ray's nearest surface shows, as cubemap/peel_sides.frag says.
+    /// @return whether anything was drawn.
+    bool drawSides(const FaceCapture& faces, int face, const gl::RenderToTexture2D& sides);
+    /// How many intervals begin along each ray.
+    void drawCounts(const FaceCapture& faces, int face, const Marks& marks,
+                    const gl::RenderToTexture2D& counts);
+    /// The next surface behind a layer and its exits; the first one without.
+    void peelEntries(const FaceCapture& faces, int face, const Marks& marks,
+                     const gl::RenderToTexture2D* previous, const gl::RenderToTexture2D& exits,
+                     const gl::RenderToTexture2D& entries);
+    /// Where the solids that are entered end.
+    void peelExits(const FaceCapture& faces, int face, const Marks& marks,
+                   const gl::RenderToTexture2D& entries, const gl::RenderToTexture2D& exits);
+    /// Both as a layer of intervals, to the target that is bound.
+    void pack(const BackboneContext& context, const gl::RenderToTexture2D& entries,
+              const gl::RenderToTexture2D& exits);
 
 private:
-    struct Targets;
-
-    /// Finds which faces hold geometry, and the sheets of which not only the fronts show.
-    void surveySides(const FaceCapture& faces, Targets& targets, int faceSize,
-                     std::array<bool, kFaces>& modelled, const gl::Functions& gl);
-    /// Most intervals along any ray, 1 to `most`.
-    Result<int> countLayers(const FaceCapture& faces, const Targets& targets, int faceSize,
-                            int most, const gl::Functions& gl);
-    void peelEntries(const FaceCapture& faces, const Targets& targets,
-                     const gl::RenderToTexture2D* previous, const gl::RenderToTexture2D& entry,
-                     const gl::Functions& gl);
-    void peelExits(const FaceCapture& faces, const Targets& targets,
-                   const gl::RenderToTexture2D& entry, const gl::Functions& gl);
-
     gl::GLSLShader sides_;
     gl::GLSLShader count_;
     gl::GLSLShader entry_;
     gl::GLSLShader exit_;
     gl::GLSLShader pack_;
+    const gl::Functions* gl_ = nullptr;
 };
 
 } // namespace aolib

@@ -4,16 +4,14 @@
 #include <chrono>
 #include <utility>
 
+#include "backbone/Estimators.h"
+
 namespace aolib {
 
 namespace {
 
 /// Passes of every tile before a cube map is shown for the first time.
 constexpr int kFirstPasses = 2;
-/// How fast a unit's cost follows what is measured.
-constexpr double kLearning = 0.5;
-/// Most units in a frame, whatever they seem to cost.
-constexpr int kMostUnits = 4096;
 
 } // namespace
 
@@ -27,48 +25,63 @@ Result<std::unique_ptr<AbstractTexelSource>> RasterTexels::create(const Backbone
     if (!shading) {
         return shading.status();
     }
-    auto timer = gl::GpuTimer::create(context.gl);
-    if (!timer) {
-        return timer.status();
+    auto budget = FrameBudget::create(context.gl);
+    if (!budget) {
+        return budget.status();
     }
     texels->shading_ = std::move(*shading);
-    texels->timer_ = std::move(*timer);
+    texels->budget_ = std::move(*budget);
     return std::unique_ptr<AbstractTexelSource>(std::move(texels));
 }
 
-Result<RasterTexels::Work*> RasterTexels::workOf(CubeMapProjector& projector) {
-    const auto found = captures_.find(projector.id());
-    if (found != captures_.end()) {
-        return &found->second;
-    }
-    auto capture = shading_.capture(context_, geometry_, projector, store_);
+Result<RasterTexels::Work*> RasterTexels::begin(CubeMapProjector& projector) {
+    auto capture = shading_.begin(context_, geometry_, projector, store_);
     if (!capture) {
         return capture.status();
     }
-    Work work;
+    Work& work = works_[projector.id()];
+    work = {};
     work.capture = std::move(*capture);
-    return &captures_.emplace(projector.id(), std::move(work)).first->second;
+    return &work;
 }
+
+bool RasterTexels::lacks(const CubeMapProjector& projector) const {
+    const auto work = works_.find(projector.id());
+    return projector.tiles.lacks(passes()) ||
+           (work != works_.end() && !work->second.toKeep.empty());
+}
+
+bool RasterTexels::capturing(CubeMapId id) const {
+    const auto work = works_.find(id);
+    return work != works_.end() && !work->second.capture.ready;
+}
+
+// ---- At once ------------------------------------------------------------------------------------
 
 Status RasterTexels::complete(CubeMapProjector& projector) {
     const auto start = std::chrono::steady_clock::now();
     projector.timer.begin();
-    captures_.erase(projector.id());
-    const auto work = workOf(projector);
+    const auto work = begin(projector);
     if (!work) {
         return work.status();
+    }
+    const CubeMapCapture& capture = (*work)->capture;
+    while (!capture.ready) {
+        if (Status status = shading_.step(context_, (*work)->capture, projector, store_); !status) {
+            forget(projector.id());
+            return status;
+        }
     }
     const int size = store_.faceSize();
     for (int face = 0; face < kFaces; ++face) {
         if (projector.keeps(face)) {
-            shading_.accumulate(context_, (*work)->capture, radius_(), {face, 0, 0, size, size}, 0,
+            shading_.accumulate(context_, capture, radius_(), {face, 0, 0, size, size}, 0,
                                 passes());
         }
     }
     for (int face = 0; face < kFaces; ++face) {
         if (projector.keeps(face)) {
-            shading_.resolve(context_, (*work)->capture, projector, store_,
-                             {face, 0, 0, size, size});
+            shading_.resolve(context_, capture, projector, store_, {face, 0, 0, size, size});
         }
     }
     projector.tiles.askAll();
@@ -77,69 +90,96 @@ Status RasterTexels::complete(CubeMapProjector& projector) {
     }
     projector.shown = true;
     projector.timer.end();
-    captures_.erase(projector.id());
+    forget(projector.id());
     projector.buildMs =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     return {};
 }
 
-int RasterTexels::quota(double milliseconds) {
-    if (unitsTimed_ > 0 && !timer_.pending()) {
-        const double unit = timer_.milliseconds() / unitsTimed_;
-        unitMs_ = unitMs_ < 0.0 ? unit : unitMs_ + kLearning * (unit - unitMs_);
-        unitsTimed_ = 0;
-    }
-    if (unitMs_ < 0.0) {
-        return 1;
-    }
-    const double fits = unitMs_ > 0.0 ? milliseconds / unitMs_ : kMostUnits;
-    // At most twice the last: one measurement alone is not trusted with a whole frame.
-    lastQuota_ = std::clamp(static_cast<int>(fits), 1, std::min(2 * lastQuota_ + 1, kMostUnits));
-    return lastQuota_;
-}
+// ---- Within a budget ----------------------------------------------------------------------------
 
 Status RasterTexels::advance(const std::vector<CubeMapProjector*>& projectors,
                              double milliseconds) {
-    for (auto& [id, work] : captures_) {
+    for (auto& [id, work] : works_) {
         ++work.idleFrames;
     }
-    int units = quota(milliseconds);
-    const int allowed = units;
-    const bool timed = !timer_.pending() && unitsTimed_ == 0;
+    bool began = false;
+    bool room = true;
     for (CubeMapProjector* projector : projectors) {
-        if (units <= 0 || !projector->tiles.lacks(passes())) {
+        if (!room || !lacks(*projector)) {
             continue;
         }
-        if (captures_.find(projector->id()) == captures_.end()) {
-            // A capture is a unit of work that fills a frame by itself.
-            if (const auto work = workOf(*projector); !work) {
-                return work.status();
-            }
-            break;
+        if (!began) {
+            budget_.beginFrame(milliseconds);
+            began = true;
         }
-        Work& work = captures_.at(projector->id());
-        work.idleFrames = 0;
-        if (timed && units == allowed) {
-            timer_.begin();
+        const auto left = goOn(*projector);
+        if (!left) {
+            forget(projector->id());
+            return left.status();
         }
-        units -= advanceTiles(*projector, work, units);
-        resolveTouched(*projector, work);
+        room = *left;
         projector->shown =
             projector->shown || projector->tiles.fewestPasses() >= std::min(kFirstPasses, passes());
     }
-    if (timed && units < allowed) {
-        timer_.end();
-        unitsTimed_ = allowed - units;
-    }
-    std::erase_if(captures_,
-                  [](const auto& entry) { return entry.second.idleFrames > kIdleFrames; });
+    std::erase_if(works_, [](const auto& entry) { return entry.second.idleFrames > kIdleFrames; });
     return {};
 }
 
-int RasterTexels::advanceTiles(CubeMapProjector& projector, Work& work, int quota) {
-    int done = 0;
+Result<bool> RasterTexels::goOn(CubeMapProjector& projector) {
+    auto found = works_.find(projector.id());
+    if (found == works_.end()) {
+        if (const auto work = begin(projector); !work) {
+            return work.status();
+        }
+        found = works_.find(projector.id());
+    }
+    Work& work = found->second;
+    work.idleFrames = 0;
+    if (!work.capture.ready) {
+        const auto room = goOnCapturing(projector, work);
+        if (!room || !*room) {
+            return room;
+        }
+    }
+    return goOnComputing(projector, work) && goOnKeeping(projector, work);
+}
+
+Result<bool> RasterTexels::goOnCapturing(CubeMapProjector& projector, Work& work) {
+    while (!work.capture.ready) {
+        const WorkUnit unit = work.capture.next();
+        if (work.capture.waits() || budget_.room(unit) == 0) {
+            return false;
+        }
+        budget_.start(unit);
+        if (Status status = shading_.step(context_, work.capture, projector, store_); !status) {
+            return status;
+        }
+        budget_.done(1);
+    }
+    return true;
+}
+
+bool RasterTexels::goOnComputing(CubeMapProjector& projector, Work& work) {
+    while (projector.tiles.lacks(passes())) {
+        const int most = budget_.room(WorkUnit::Texels);
+        if (most == 0) {
+            return false;
+        }
+        budget_.start(WorkUnit::Texels);
+        budget_.done(computeTiles(projector, work, most));
+        if (!projector.tiles.lacks(passes()) && traitsOf(context_.options.estimator).layered) {
+            work.toKeep = work.tiles; // once more: the smoothing looks across the borders of tiles
+        }
+    }
+    return true;
+}
+
+int RasterTexels::computeTiles(CubeMapProjector& projector, Work& work, int most) {
     TileProgress& tiles = projector.tiles;
-    while (done < quota && tiles.lacks(passes())) {
+    std::set<int> computed;
+    int units = 0;
+    while (units < most && tiles.lacks(passes())) {
         for (const int tile : tiles.mostUrgent(passes())) {
             const TileProgress::Region region = tiles.region(tile);
             const int pass = tiles.passes(tile);
@@ -149,33 +189,46 @@ int RasterTexels::advanceTiles(CubeMapProjector& projector, Work& work, int quot
             }
             shading_.accumulate(context_, work.capture, radius_(), region, pass, 1);
             tiles.setPasses(tile, pass + 1);
-            work.touched.insert(tile);
-            work.tiles.insert(tile);
-            if (++done >= quota) {
+            computed.insert(tile);
+            if (++units == most) {
                 break;
             }
         }
     }
-    return done;
+    for (const int tile : computed) {
+        keep(projector, work, tile);
+    }
+    work.tiles.merge(computed);
+    return units;
 }
 
-void RasterTexels::resolveTouched(CubeMapProjector& projector, Work& work) {
-    if (!projector.tiles.lacks(passes())) {
-        work.touched = work.tiles; // once more: the smoothing looks across the borders of tiles
-    }
-    for (const int tile : work.touched) {
-        const TileProgress::Region region = projector.tiles.region(tile);
-        if (projector.keeps(region.face)) {
-            shading_.resolve(context_, work.capture, projector, store_, region);
+bool RasterTexels::goOnKeeping(CubeMapProjector& projector, Work& work) {
+    while (!work.toKeep.empty()) {
+        const int most = budget_.room(WorkUnit::Keep);
+        if (most == 0) {
+            return false;
         }
+        budget_.start(WorkUnit::Keep);
+        int units = 0;
+        for (; units < most && !work.toKeep.empty(); ++units) {
+            keep(projector, work, work.toKeep.extract(work.toKeep.begin()).value());
+        }
+        budget_.done(units);
     }
-    work.touched.clear();
+    return true;
+}
+
+void RasterTexels::keep(const CubeMapProjector& projector, const Work& work, int tile) {
+    const TileProgress::Region region = projector.tiles.region(tile);
+    if (projector.keeps(region.face)) {
+        shading_.resolve(context_, work.capture, projector, store_, region);
+    }
 }
 
 std::size_t RasterTexels::bytes() const {
     std::size_t sum = 0;
-    for (const auto& [id, work] : captures_) {
-        sum += work.capture.bytes;
+    for (const auto& [id, work] : works_) {
+        sum += work.capture.bytes();
     }
     return sum;
 }

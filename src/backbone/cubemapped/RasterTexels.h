@@ -23,7 +23,9 @@ public:
     int passes() const override { return DeferredShading::passes(context_.options); }
     Status complete(CubeMapProjector& projector) override;
     Status advance(const std::vector<CubeMapProjector*>& projectors, double milliseconds) override;
-    void forget(CubeMapId id) override { captures_.erase(id); }
+    bool lacks(const CubeMapProjector& projector) const override;
+    bool capturing(CubeMapId id) const override;
+    void forget(CubeMapId id) override { works_.erase(id); }
     std::size_t bytes() const override;
 
 private:
@@ -32,8 +34,8 @@ private:
 
     struct Work {
         CubeMapCapture capture;
-        std::set<int> tiles;   ///< that have had passes from this capture
-        std::set<int> touched; ///< of these, those with passes that are not resolved yet
+        std::set<int> tiles;  ///< that have had passes from this capture
+        std::set<int> toKeep; ///< of these, those that are still to be written once more
         int idleFrames = 0;
     };
 
@@ -41,24 +43,23 @@ private:
                  std::function<float()> radius)
         : context_(context), geometry_(geometry), store_(store), radius_(std::move(radius)) {}
 
-    Result<Work*> workOf(CubeMapProjector& projector);
-    /// One pass over tiles that need it most, at most `quota` of them. @return how many.
-    int advanceTiles(CubeMapProjector& projector, Work& work, int quota);
-    void resolveTouched(CubeMapProjector& projector, Work& work);
-    /// Units of work for the next frame, from what earlier ones cost.
-    int quota(double milliseconds);
+    Result<Work*> begin(CubeMapProjector& projector);
+    /// Goes on with a cube map while the frame has room. @return whether it has still.
+    Result<bool> goOn(CubeMapProjector& projector);
+    Result<bool> goOnCapturing(CubeMapProjector& projector, Work& work);
+    bool goOnComputing(CubeMapProjector& projector, Work& work);
+    bool goOnKeeping(CubeMapProjector& projector, Work& work);
+    /// One pass over each of the tiles that need it most. @return how many.
+    int computeTiles(CubeMapProjector& projector, Work& work, int most);
+    void keep(const CubeMapProjector& projector, const Work& work, int tile);
 
     const BackboneContext context_;
     const SceneGeometry& geometry_;
     FaceStore& store_;
     std::function<float()> radius_;
     DeferredShading shading_;
-    std::map<CubeMapId, Work> captures_;
-
-    gl::GpuTimer timer_;
-    int unitsTimed_ = 0;   ///< in the frame that the timer measures
-    double unitMs_ = -1.0; ///< GPU time of a unit, smoothed; -1 until known
-    int lastQuota_ = 0;
+    FrameBudget budget_;
+    std::map<CubeMapId, Work> works_;
 };
 
 } // namespace aolib

@@ -7,6 +7,7 @@
 #include <aolib/RayTracing.h>
 
 #include "SmallScene.h"
+#include "WatchedLoader.h"
 
 namespace aolib {
 namespace {
@@ -30,7 +31,10 @@ protected:
     }
 
     SmallHost hostWith(const Options& o, const Model& model = boxOnFloor()) {
-        SmallHost host(gl, loader, model, o);
+        return hostWith(o, model, loader);
+    }
+    SmallHost hostWith(const Options& o, const Model& model, const ProcAddressLoader& through) {
+        SmallHost host(gl, through, model, o);
         auto tracer = createTexelTracer(1);
         EXPECT_TRUE(tracer.ok()) << tracer.status().message();
         host.ao().setTexelTracer(std::move(*tracer));
@@ -85,6 +89,74 @@ TEST_P(ProgressiveGLTest, EndsWhereComputingAtOnceDoes) {
         ASSERT_TRUE(fast.ao().addCubeMap({0.5F, 3, 5}).ok());
         ASSERT_TRUE(fast.frame().ok());
         EXPECT_LE(largestChange(slow.visibility().visibility, fast.visibility().visibility), 0.005);
+    }
+}
+
+TEST_P(ProgressiveGLTest, NoFrameWaitsNorDoesMoreThanAUnitBeyondItsBudget) {
+    for (const Estimator estimator : {Estimator::HorizonSplit, Estimator::LayeredIntervals}) {
+        WatchedLoader watched(loader, "a graphics card");
+        Options o = options(estimator);
+        o.cubeMaps.faceSize = 64;
+        o.frameBudget = 1e-6F;
+        const Model model = boxOnFloor();
+        SmallHost host = hostWith(o, model, watched.loader());
+        ASSERT_TRUE(host.ao().addCubeMap({0.5F, 3, 5}).ok());
+        int drawn = 0;
+        bool converged = false;
+        for (int frame = 0; frame < kMostFrames && !converged; ++frame) {
+            watched.drawn = 0;
+            ASSERT_TRUE(host.frame().ok());
+            EXPECT_LE(watched.drawn, static_cast<int>(model.meshes.size())) << "a face at most";
+            drawn += watched.drawn;
+            converged = host.ao().statistics().converged;
+        }
+        EXPECT_TRUE(converged);
+        EXPECT_GT(drawn, 5) << "this counts nothing";
+        EXPECT_EQ(watched.waits, std::vector<std::string>{});
+    }
+}
+
+TEST_P(ProgressiveGLTest, AGraphicsCardsTimeIsLearnedAndUsed) {
+    WatchedLoader watched(loader, "a graphics card");
+    Options o = options(Estimator::LayeredIntervals);
+    o.frameBudget = 1000.0F;
+    SmallHost host = hostWith(o, boxOnFloor(), watched.loader());
+    ASSERT_TRUE(host.ao().addCubeMap({0.5F, 3, 5}).ok());
+    const int frames = converge(host);
+    EXPECT_GT(frames, 0);
+    // Over 60 units of capture, and 4 passes of over 20 tiles, in a frame each.
+    EXPECT_LT(frames, 100);
+    EXPECT_GT(frames, 32 + 6) << "a kind of unknown cost has a frame to itself";
+}
+
+TEST_P(ProgressiveGLTest, WhatChangesDuringACaptureIsSeen) {
+    for (const Estimator estimator : {Estimator::HorizonSplit, Estimator::LayeredIntervals}) {
+        Options o = options(estimator);
+        o.frameBudget = 1e-6F;
+        Model model = boxOnFloor();
+        SmallHost host = hostWith(o, model);
+        ASSERT_TRUE(host.ao().addCubeMap({0.5F, 3, 5}).ok());
+        for (int frame = 0; frame < 6; ++frame) {
+            ASSERT_TRUE(host.frame().ok());
+        }
+        Model other;
+        addBox(other, {2, 0, 0}, {3, 2, 1});
+        const ModelMesh& mesh = other.meshes.front();
+        ASSERT_TRUE(host.ao().addMesh({mesh.positions, {}, mesh.indices}).ok());
+        o.frameBudget = 20.0F;
+        ASSERT_TRUE(host.ao().setOptions(o).ok());
+        ASSERT_GT(converge(host), 0);
+        addBox(model, {2, 0, 0}, {3, 2, 1});
+        o.frameBudget = 0.0F;
+        SmallHost whole = hostWith(o, model);
+        ASSERT_TRUE(whole.ao().addCubeMap({0.5F, 3, 5}).ok());
+        const auto cube = [](SmallHost& of) {
+            return *of.ao().readCubeMap(of.ao().cubeMaps().front().id);
+        };
+        const CubeMapImage slow = cube(host);
+        const CubeMapImage fast = cube(whole);
+        const std::size_t at = texelTowards(fast, {2.5F, 2, 0.8F});
+        EXPECT_NEAR(slow.distance[at], fast.distance[at], 0.01F) << "the top of the box";
     }
 }
 

@@ -1,0 +1,108 @@
+#include "backbone/FrameBudget.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace aolib {
+
+namespace {
+
+/// How fast a unit's cost follows what is measured.
+constexpr double kLearning = 0.5;
+/// Most units at a time, whatever they seem to cost.
+constexpr int kMostUnits = 4096;
+
+double millisecondsSince(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+        .count();
+}
+
+void learn(double& cost, double milliseconds, int units) {
+    const double perUnit = milliseconds / units;
+    cost = cost < 0.0 ? perUnit : cost + kLearning * (perUnit - cost);
+}
+
+} // namespace
+
+Result<FrameBudget> FrameBudget::create(const gl::Functions& gl) {
+    FrameBudget budget;
+    budget.gl_ = &gl;
+    budget.software_ = gl.capabilities.software;
+    for (Cost& cost : budget.costs_) {
+        auto timer = gl::GpuTimer::create(gl);
+        if (!timer) {
+            return timer.status();
+        }
+        cost.timer = std::move(*timer);
+    }
+    return budget;
+}
+
+void FrameBudget::beginFrame(double milliseconds) {
+    for (Cost& cost : costs_) {
+        const double measured = cost.timer.milliseconds();
+        if (cost.timed > 0 && !cost.timer.pending()) {
+            learn(cost.gpu, measured, std::exchange(cost.timed, 0));
+        }
+        if (!software_ && cost.inFrame > 0) {
+            cost.trusted = std::min(2 * cost.inFrame + 1, kMostUnits);
+        }
+        cost.inFrame = 0;
+    }
+    if (software_) {
+        gl_->Finish(); // what the host has drawn is no work of ours
+    }
+    frameBegan_ = Clock::now();
+    milliseconds_ = milliseconds;
+    gpuSpent_ = 0.0;
+    unknown_ = false;
+    worked_ = false;
+}
+
+double FrameBudget::spent() const {
+    return std::max(gpuSpent_, millisecondsSince(frameBegan_));
+}
+
+int FrameBudget::room(WorkUnit kind) {
+    const Cost& of = cost(kind);
+    const int least = worked_ ? 0 : 1;
+    const double left = milliseconds_ - spent();
+    if (!of.known()) { // a software rasteriser tells at once
+        return software_ && left > 0.0 ? 1 : least;
+    }
+    if (unknown_) {
+        return least;
+    }
+    const double fits = std::min(left / std::max(of.perUnit(), 1e-6), double{kMostUnits});
+    const int trusted = software_ ? of.trusted : of.trusted - of.inFrame;
+    return std::max(std::min(static_cast<int>(fits), trusted), least);
+}
+
+void FrameBudget::start(WorkUnit kind) {
+    current_ = kind;
+    Cost& of = cost(kind);
+    of.since = Clock::now();
+    if (!software_ && of.timed == 0) {
+        of.timer.begin();
+    }
+}
+
+void FrameBudget::done(int units) {
+    units = std::max(units, 1);
+    Cost& of = cost(current_);
+    if (software_) {
+        gl_->Finish();
+        of.gpu = 0.0; // it is in the thread's
+        of.trusted = std::min(2 * units + 1, kMostUnits);
+    } else if (of.timed == 0) {
+        of.timer.end();
+        of.timed = units;
+    }
+    learn(of.cpu, millisecondsSince(of.since), units);
+    unknown_ = unknown_ || !of.known();
+    gpuSpent_ += units * std::max(of.gpu, 0.0);
+    of.inFrame += units;
+    worked_ = true;
+}
+
+} // namespace aolib

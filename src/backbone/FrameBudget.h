@@ -1,0 +1,74 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstddef>
+
+#include <aolib/Status.h>
+
+#include "gl/GpuTimer.h"
+
+namespace aolib {
+
+/// Kinds of units of work that cost about the same each.
+enum class WorkUnit {
+    Prepare, ///< targets made and cleared
+    Draw,    ///< the scene, before one face of a cube map
+    Read,    ///< what the GPU answered for one face
+    Peel,    ///< half a layer of one face
+    Texels,  ///< a pass over a tile
+    Keep,    ///< a tile's texels, written to where they are kept
+};
+
+/// Keeps the work of frames within a time, by what units of each kind have cost before.
+///
+/// A graphics card's time is measured by timer queries, which answer frames later: a kind of
+/// unknown cost has a frame to itself, and no frame does more than about twice as much of a kind as
+/// the one before. A software rasteriser runs on the host's own time: it is waited for after each
+/// piece of work, and the clock says how much is left.
+class FrameBudget {
+public:
+    FrameBudget() = default;
+    /// Errors: OutOfMemory.
+    static Result<FrameBudget> create(const gl::Functions& gl);
+
+    /// @param milliseconds  that the frame's work may take.
+    void beginFrame(double milliseconds);
+    /// How many units of a kind the frame has room for. Never none before any was done.
+    int room(WorkUnit kind);
+    /// Around a piece of work of at least one unit.
+    void start(WorkUnit kind);
+    void done(int units);
+
+private:
+    using Clock = std::chrono::steady_clock;
+    static constexpr std::size_t kKinds = 6;
+
+    struct Cost {
+        gl::GpuTimer timer;
+        int timed = 0;     ///< units that the timer measures
+        double gpu = -1.0; ///< milliseconds per unit, smoothed; -1 until known
+        double cpu = -1.0; ///< the same, of the calling thread
+        int trusted = 1;   ///< units that may be done: at a time, or in a frame
+        int inFrame = 0;   ///< units done in this frame
+        Clock::time_point since;
+
+        bool known() const { return gpu >= 0.0; }
+        double perUnit() const { return std::max(gpu, cpu); }
+    };
+    Cost& cost(WorkUnit kind) { return costs_[static_cast<std::size_t>(kind)]; }
+    double spent() const;
+
+    const gl::Functions* gl_ = nullptr;
+    bool software_ = false;
+    std::array<Cost, kKinds> costs_;
+    WorkUnit current_ = WorkUnit::Prepare;
+    Clock::time_point frameBegan_;
+    double milliseconds_ = 0.0;
+    double gpuSpent_ = 0.0; ///< as far as it is known
+    bool unknown_ = false;  ///< something was done whose cost is not known
+    bool worked_ = false;
+};
+
+} // namespace aolib

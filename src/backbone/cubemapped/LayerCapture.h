@@ -1,0 +1,86 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "backbone/cubemapped/AbstractCapture.h"
+#include "backbone/cubemapped/LayerPeeling.h"
+#include "gl/PixelReadback.h"
+#include "gl/TextureStack.h"
+
+namespace aolib {
+
+/// Layers of solid intervals [entry, exit] along each texel's ray, nearest first. The intervals are
+/// counted before, so that no more layers are made than there are. Faces are peeled one after the
+/// other; a unit is one pass over one of them.
+class LayerCapture final : public AbstractCapture {
+public:
+    static constexpr int kMostLayers = 8;
+
+    /// @param peeling  outlives the capture.
+    /// @param most     layers at most, 1 to kMostLayers.
+    LayerCapture(const BackboneContext& context, const SceneGeometry& geometry,
+                 const FaceCapture& faces, LayerPeeling& peeling, int most)
+        : context_(context), geometry_(geometry), faces_(faces), peeling_(peeling), most_(most) {}
+
+    bool complete() const override { return stage_ == Stage::Complete; }
+    WorkUnit next() const override;
+    bool waits() const override;
+    Status step() override;
+    void bind(gl::GLSLShader& shader) const override;
+    std::array<bool, kFaces> modelled() const override;
+    int layers() const override;
+    std::size_t bytes() const override;
+    std::size_t mostBytes() const override { return mostBytes_; }
+
+private:
+    enum class Stage { Targets, Sides, ReadSides, Count, ReadCounts, Layers, Peel, Complete };
+    /// How many texels show a sheet's front and its back.
+    struct Sides {
+        std::size_t front = 0;
+        std::size_t back = 0;
+    };
+    /// Where one face is drawn before it is packed.
+    struct Targets {
+        std::array<gl::RenderToTexture2D, 2> entries; ///< distance, solid, octahedral normal
+        gl::RenderToTexture2D exits;
+        gl::RenderToTexture2D counts;
+        std::array<gl::PixelReadback, kFaces> readbacks;
+
+        std::size_t bytes() const;
+    };
+
+    Status makeTargets();
+    void drawSides();
+    Status readSides();
+    void drawCount();
+    Status readCount();
+    Status makeLayers();
+    /// Half a layer of a face.
+    void peel();
+    int firstLayer(int face) const;
+    /// Goes on to the next face, or else to the next stage.
+    void nextFace();
+    std::vector<float> unusualSheets() const;
+    std::size_t at() const { return static_cast<std::size_t>(face_); }
+
+    const BackboneContext& context_;
+    const SceneGeometry& geometry_;
+    const FaceCapture faces_;
+    LayerPeeling& peeling_;
+    const int most_;
+
+    Stage stage_ = Stage::Targets;
+    int face_ = 0;
+    int layer_ = 0;
+    bool entered_ = false; ///< the layer's entries are peeled, its exits are not
+    std::optional<Targets> targets_;
+    std::map<int, Sides> seen_; ///< of each sheet
+    LayerPeeling::Marks marks_;
+    std::array<int, kFaces> counts_{}; ///< intervals along a ray, at most; 0 without geometry
+    gl::TextureStack intervals_;       ///< entry (-1 none), exit, octahedral normal: each face's
+    std::size_t mostBytes_ = 0;
+};
+
+} // namespace aolib

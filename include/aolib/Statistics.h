@@ -32,10 +32,11 @@ struct Statistics {
     int cubeMapsBuilt = 0;           ///< in the latest frame, placed or rebuilt
     float computed = 1.0F;           ///< share of the passes that the latest frame's cube maps need
     bool converged = true;           ///< nothing is left to compute for what the latest frame shows
-    double frameGpuMs = -1.0;   ///< GPU time of aolib's passes in an earlier frame; -1 until known
-    std::size_t bytesKept = 0;  ///< GPU memory of all cube maps
-    std::size_t bytesFrame = 0; ///< GPU memory of the per-frame targets
-    std::size_t bytesScene = 0; ///< GPU memory of the scene's triangles
+    double frameGpuMs = -1.0;  ///< GPU time of aolib's passes in an earlier frame; -1 until known
+    std::size_t bytesKept = 0; ///< GPU memory of all cube maps
+    std::size_t bytesBuilding = 0; ///< GPU memory held for cube maps on their way; given back
+    std::size_t bytesFrame = 0;    ///< GPU memory of the per-frame targets
+    std::size_t bytesScene = 0;    ///< GPU memory of the scene's triangles
 };
 
 /// Ambient occlusion of the latest frame, as it was blended: row 0 is the bottom row.

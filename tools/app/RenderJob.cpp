@@ -195,6 +195,9 @@ void JobRunner::countUp(RenderResult& result) const {
     result.cubeMaps = ao_.cubeMaps().size();
     result.coverage = static_cast<double>(statistics.coverage);
     result.bytesKept = statistics.bytesKept;
+    for (const CubeMapInfo& cubeMap : ao_.cubeMaps()) {
+        result.bytesCapture = std::max(result.bytesCapture, cubeMap.captureBytes);
+    }
 }
 
 Status JobRunner::readPictures(RenderResult& result) {

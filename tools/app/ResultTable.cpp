@@ -4,9 +4,15 @@
 
 namespace aolib::app {
 
+namespace {
+
+constexpr double kMegabyte = 1e6;
+
+} // namespace
+
 ResultTable::ResultTable()
     : table_({"scene", "triangles", "cube maps", "build ms", "AO ms/frame", "host ms/frame",
-              "coverage", "RMSE", "bias", "truth noise"}) {}
+              "coverage", "MB kept", "MB building", "RMSE", "bias", "truth noise"}) {}
 
 void ResultTable::add(const std::string& scene, std::size_t triangles, const RenderResult& result,
                       const std::optional<ErrorAgainstTruth>& error) {
@@ -18,6 +24,8 @@ void ResultTable::add(const std::string& scene, std::size_t triangles, const Ren
     table_.add({scene, grouped(triangles), std::to_string(result.cubeMaps),
                 knownNumber(result.buildMs, 0), knownNumber(result.aoMs, 1),
                 knownNumber(result.hostMs, 1), knownPercentage(result.coverage),
+                knownNumber(static_cast<double>(result.bytesKept) / kMegabyte, 1),
+                knownNumber(static_cast<double>(result.bytesCapture) / kMegabyte, 1),
                 error ? knownNumber(error->metrics.rmse, 4) : "-", bias,
                 error ? knownNumber(error->truthNoise, 4) : "-"});
 }

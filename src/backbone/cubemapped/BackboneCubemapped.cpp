@@ -437,6 +437,7 @@ void BackboneCubemapped::addStatistics(Statistics& statistics) {
     statistics.bytesFrame += projection_->bytes();
     statistics.bytesScene = sceneGeometry_.bytes();
     statistics.bytesKept = store_.bytes() + details_.bytes();
+    statistics.bytesBuilding = raster_ ? raster_->bytes() : 0;
 }
 
 } // namespace aolib

@@ -1,0 +1,123 @@
+// GPU memory as GL tells it: what a cube map takes while it is computed, and what it keeps.
+#include <chrono>
+#include <thread>
+
+#include <aolib/RayTracing.h>
+
+#include "SmallScene.h"
+#include "backbone/cubemapped/TileProgress.h"
+
+namespace aolib {
+namespace {
+
+class MemoryGLTest : public GLTest {
+protected:
+    static constexpr int kFaceSize = 64;
+    static constexpr std::size_t kTexels = std::size_t{6} * kFaceSize * kFaceSize;
+    /// A number per tile, which says where its detail lies.
+    static constexpr std::size_t kPages =
+        std::size_t{6} * (kFaceSize / TileProgress::kTile) * (kFaceSize / TileProgress::kTile) * 2;
+
+    /// All textures and buffers of the context, bytes.
+    std::size_t inUse() {
+        const auto isTexture = reinterpret_cast<PFNGLISTEXTUREPROC>(loader("glIsTexture"));
+        const auto isBuffer = reinterpret_cast<PFNGLISBUFFERPROC>(loader("glIsBuffer"));
+        std::size_t bytes = 0;
+        for (GLuint name = 1; name < 1024; ++name) {
+            bytes += isTexture(name) == GL_TRUE ? textureBytes(name) : 0;
+            bytes += isBuffer(name) == GL_TRUE ? bufferBytes(name) : 0;
+        }
+        return bytes;
+    }
+
+    SmallHost hostWith(Estimator estimator, float budget) {
+        Options o;
+        o.estimator = estimator;
+        o.radius = 1.5F;
+        o.frameBudget = budget;
+        o.cubeMaps.faceSize = kFaceSize;
+        o.cubeMaps.place = false;
+        o.layeredIntervals = {.slices = 4, .steps = 8};
+        o.rayTraced.rays = 16;
+        SmallHost host(gl, loader, boxOnFloor(), o);
+        host.ao().setTexelTracer(std::move(*createTexelTracer(1)));
+        host.lookAt({4, 24, 40}, {0, 0.5F, 0}); // so far away that no view asks for detail
+        return host;
+    }
+
+private:
+    std::size_t textureBytes(GLuint name) {
+        for (const GLenum target : {GL_TEXTURE_2D, GL_TEXTURE_2D_ARRAY}) {
+            gl.BindTexture(target, name);
+            if (takeError() != GL_NO_ERROR) {
+                continue; // of another kind
+            }
+            const auto level = [&](GLenum what) {
+                GLint value = 0;
+                gl.GetTexLevelParameteriv(target, 0, what, &value);
+                return static_cast<std::size_t>(value);
+            };
+            std::size_t bits = 0;
+            for (const GLenum channel :
+                 {GL_TEXTURE_RED_SIZE, GL_TEXTURE_GREEN_SIZE, GL_TEXTURE_BLUE_SIZE,
+                  GL_TEXTURE_ALPHA_SIZE, GL_TEXTURE_DEPTH_SIZE, GL_TEXTURE_STENCIL_SIZE}) {
+                bits += level(channel);
+            }
+            const std::size_t texels =
+                level(GL_TEXTURE_WIDTH) * level(GL_TEXTURE_HEIGHT) * level(GL_TEXTURE_DEPTH);
+            gl.BindTexture(target, 0);
+            (void)takeDriverMessages(); // about the other kind
+            return texels * bits / 8;
+        }
+        return 0;
+    }
+    std::size_t bufferBytes(GLuint name) {
+        GLint bytes = 0;
+        gl.BindBuffer(GL_PIXEL_PACK_BUFFER, name);
+        gl.GetBufferParameteriv(GL_PIXEL_PACK_BUFFER, GL_BUFFER_SIZE, &bytes);
+        gl.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+        return static_cast<std::size_t>(bytes);
+    }
+};
+
+TEST_P(MemoryGLTest, WhatABuildTakesIsGivenBackAndThreeBytesPerTexelAreKept) {
+    for (const Estimator estimator :
+         {Estimator::HorizonSplit, Estimator::LayeredIntervals, Estimator::RayTraced}) {
+        SmallHost host = hostWith(estimator, 1e-6F);
+        ASSERT_TRUE(host.frame().ok());
+        const std::size_t before = inUse();
+        ASSERT_TRUE(host.ao().addCubeMap({0.5F, 3, 5}).ok());
+        std::size_t most = 0;
+        Statistics s;
+        for (int frame = 0; frame < 4000 && (frame == 0 || !s.converged || s.bytesBuilding > 0);
+             ++frame) {
+            ASSERT_TRUE(host.frame().ok());
+            s = host.ao().statistics();
+            ASSERT_EQ(inUse() - before, s.bytesKept + s.bytesBuilding) << "frame " << frame;
+            most = std::max(most, s.bytesBuilding);
+            std::this_thread::sleep_for(std::chrono::milliseconds(1)); // for the tracer's worker
+        }
+        ASSERT_TRUE(s.converged);
+        EXPECT_EQ(s.bytesBuilding, 0U) << "given back once nobody has asked for more";
+        EXPECT_EQ(most, host.ao().cubeMaps().front().captureBytes);
+        EXPECT_EQ(most > 8 * kTexels, estimator != Estimator::RayTraced);
+        EXPECT_EQ(inUse() - before, 3 * kTexels + kPages);
+        ASSERT_TRUE(host.ao().clear().ok());
+        EXPECT_EQ(inUse(), before);
+    }
+}
+
+TEST_P(MemoryGLTest, ABuildAtOnceLeavesNothing) {
+    for (const Estimator estimator : {Estimator::HorizonSplit, Estimator::LayeredIntervals}) {
+        SmallHost host = hostWith(estimator, 0.0F);
+        ASSERT_TRUE(host.frame().ok());
+        const std::size_t before = inUse();
+        ASSERT_TRUE(host.ao().addCubeMap({0.5F, 3, 5}).ok());
+        EXPECT_EQ(inUse() - before, 3 * kTexels + kPages);
+    }
+}
+
+AOLIB_FOR_ALL_CONTEXTS(MemoryGLTest);
+
+} // namespace
+} // namespace aolib

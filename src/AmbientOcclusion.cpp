@@ -36,6 +36,26 @@ Matrices readMatrices(const gl::Functions& gl) {
     return read;
 }
 
+/// Set while it lives.
+class Flag {
+public:
+    explicit Flag(bool& value) : value_(value) { value_ = true; }
+    ~Flag() { value_ = false; }
+    Flag(const Flag&) = delete;
+    Flag& operator=(const Flag&) = delete;
+
+private:
+    bool& value_;
+};
+
+Status checkBox(const Bounds& box) {
+    if (!isFinite(box.min) || !isFinite(box.max) || box.empty()) {
+        return {StatusCode::InvalidPosition,
+                "the corners of the box must be finite, and the first nowhere above the second"};
+    }
+    return {};
+}
+
 bool standsAt(const HostCamera& camera, const glm::vec3& position) {
     const double scale = 1.0 + glm::length(glm::dvec3(position));
     return glm::distance(camera.eye(), glm::dvec3(position)) <= kSamePosition * scale;
@@ -50,6 +70,8 @@ struct AmbientOcclusion::Impl {
     SceneBuilder builder;
     gl::VertexArray generated;
     std::unique_ptr<AbstractTexelTracer> tracer;
+    SceneRenderer renderer; ///< calls the host's, and has other calls refused meanwhile
+    bool rendering = false; ///< the host's renderer runs
     std::unique_ptr<AbstractBackbone> backbone;
     std::optional<HostCamera> camera; ///< as aoSetCamera() gave it
     std::optional<Matrices> atBegin;  ///< GL's matrices at aoDrawBegin()
@@ -57,7 +79,7 @@ struct AmbientOcclusion::Impl {
     Status lastStatus;
     MessageSink sink;
 
-    BackboneContext context() { return {gl, generated, scene, options, tracer}; }
+    BackboneContext context() { return {gl, generated, scene, options, tracer, renderer}; }
 
     Status report(Status status) {
         if (!status) {
@@ -74,15 +96,26 @@ struct AmbientOcclusion::Impl {
         return result;
     }
 
+    /// Ok, but within the host's scene renderer.
+    Status allowed() const {
+        return rendering ? Status(StatusCode::InvalidCallOrder,
+                                  "not allowed within the scene renderer of the same instance")
+                         : Status();
+    }
     /// A call to the backbone on a clean slate. Reports come after it: a message sink is the host's
     /// code and finds the host's state.
     template <typename Call>
-    auto guarded(Call call) {
+    auto guarded(Call call) -> decltype(call(*backbone)) {
+        if (Status status = allowed(); !status) {
+            return status;
+        }
         const gl::StateGuard guard(gl);
         return call(*backbone);
     }
 
     Result<HostCamera> cameraAt(const glm::vec3& position) const;
+    /// A frame seen from `position`, but for what it is drawn to.
+    Result<Frame> frameAt(const glm::vec3& position) const;
     Status drawEnd(const glm::vec3& position);
 };
 
@@ -124,7 +157,11 @@ const Options& AmbientOcclusion::options() const {
 }
 
 Status AmbientOcclusion::setOptions(const Options& options) {
-    if (Status status = checkOptions(options); !status) {
+    Status status = impl_->allowed();
+    if (status) {
+        status = checkOptions(options);
+    }
+    if (!status) {
         return impl_->report(std::move(status));
     }
     const Options before = std::exchange(impl_->options, options);
@@ -132,7 +169,7 @@ Status AmbientOcclusion::setOptions(const Options& options) {
         impl_->backbone->optionsChanged(before);
         return {};
     }
-    Status status = impl_->guarded([&](AbstractBackbone& /*old*/) {
+    status = impl_->guarded([&](AbstractBackbone& /*old*/) {
         auto backbone = makeBackbone(impl_->context());
         if (backbone) {
             impl_->backbone = std::move(*backbone);
@@ -146,6 +183,9 @@ Status AmbientOcclusion::setOptions(const Options& options) {
 }
 
 void AmbientOcclusion::setTexelTracer(std::unique_ptr<AbstractTexelTracer> tracer) {
+    if (!impl_->report(impl_->allowed())) {
+        return;
+    }
     impl_->backbone->dropTracer();
     impl_->tracer = std::move(tracer);
 }
@@ -203,6 +243,42 @@ Status AmbientOcclusion::removeMesh(MeshId id) {
     return impl_->report(impl_->scene.remove(id));
 }
 
+Status AmbientOcclusion::setSceneRenderer(SceneRenderer renderer, const glm::vec3& min,
+                                          const glm::vec3& max) {
+    if (Status status = impl_->allowed(); !status) {
+        return impl_->report(std::move(status));
+    }
+    if (!renderer) {
+        impl_->renderer = nullptr;
+        impl_->scene.setDrawn({});
+        impl_->backbone->rendererChanged();
+        return {};
+    }
+    const Bounds box{min, max};
+    if (Status status = checkBox(box); !status) {
+        return impl_->report(std::move(status));
+    }
+    impl_->renderer = [impl = impl_.get(), host = std::move(renderer)](const FaceView& view) {
+        const Flag running(impl->rendering);
+        host(view);
+    };
+    impl_->scene.setDrawn(box);
+    impl_->backbone->rendererChanged();
+    return {};
+}
+
+Status AmbientOcclusion::aoSceneChanged(const glm::vec3& min, const glm::vec3& max) {
+    const Bounds box{min, max};
+    Status status = checkBox(box);
+    if (status && !impl_->scene.drawn()) {
+        status = {StatusCode::NoScene, "aoSceneChanged: there is no scene renderer"};
+    }
+    if (status) {
+        impl_->scene.touch(box);
+    }
+    return impl_->report(std::move(status));
+}
+
 // ---- Cube maps ----------------------------------------------------------------------------------
 
 Result<CubeMapId> AmbientOcclusion::addCubeMap(const glm::vec3& position) {
@@ -238,6 +314,9 @@ Status AmbientOcclusion::aoSetCamera(const glm::mat4& view, const glm::mat4& pro
 }
 
 Status AmbientOcclusion::aoDrawBegin() {
+    if (Status status = impl_->allowed(); !status) {
+        return impl_->report(std::move(status));
+    }
     if (impl_->drawing) {
         return impl_->report({StatusCode::InvalidCallOrder,
                               "aoDrawBegin: a frame was begun already; end it with aoDrawEnd"});
@@ -251,6 +330,9 @@ Status AmbientOcclusion::aoDrawBegin() {
 }
 
 Status AmbientOcclusion::aoDrawEnd(float x, float y, float z) {
+    if (Status status = impl_->allowed(); !status) {
+        return impl_->report(std::move(status));
+    }
     if (!impl_->drawing) {
         return impl_->report({StatusCode::InvalidCallOrder,
                               "aoDrawEnd: no frame was begun; call aoDrawBegin before drawing"});
@@ -285,9 +367,9 @@ Result<HostCamera> AmbientOcclusion::Impl::cameraAt(const glm::vec3& position) c
                   "call aoSetCamera");
 }
 
-Status AmbientOcclusion::Impl::drawEnd(const glm::vec3& position) {
+Result<Frame> AmbientOcclusion::Impl::frameAt(const glm::vec3& position) const {
     if (!isFinite(position)) {
-        return {StatusCode::InvalidCamera, "the camera's position must be finite"};
+        return Status(StatusCode::InvalidCamera, "the camera's position must be finite");
     }
     const Result<HostCamera> found = cameraAt(position);
     if (!found) {
@@ -303,7 +385,16 @@ Status AmbientOcclusion::Impl::drawEnd(const glm::vec3& position) {
     }
     gl.GetDoublev(GL_DEPTH_RANGE, clip.depthRange.data());
     if (clip.depthRange[0] == clip.depthRange[1]) {
-        return {StatusCode::InvalidFramebuffer, "glDepthRange is empty: depth holds no distances"};
+        return Status(StatusCode::InvalidFramebuffer,
+                      "glDepthRange is empty: depth holds no distances");
+    }
+    return Frame{.camera = *found, .position = position, .clip = clip};
+}
+
+Status AmbientOcclusion::Impl::drawEnd(const glm::vec3& position) {
+    Result<Frame> frame = frameAt(position);
+    if (!frame) {
+        return frame.status();
     }
     const gl::StateGuard guard(gl);
     const std::array<GLint, 4>& viewport = guard.hostViewport();
@@ -312,15 +403,29 @@ Status AmbientOcclusion::Impl::drawEnd(const glm::vec3& position) {
                                                     " x " + std::to_string(viewport[3]) +
                                                     " pixels"};
     }
-    Frame frame{*found,
-                position,
-                guard.hostDrawFramebuffer(),
-                {viewport[0], viewport[1]},
-                {viewport[2], viewport[3]},
-                clip,
-                guard.hostSrgb(),
-                guard.hostScissor()};
-    return backbone->drawEnd(frame);
+    frame->framebuffer = frame->depthFramebuffer = guard.hostDrawFramebuffer();
+    frame->origin = {viewport[0], viewport[1]};
+    frame->size = {viewport[2], viewport[3]};
+    frame->srgb = guard.hostSrgb();
+    frame->scissor = guard.hostScissor();
+    return backbone->drawEnd(*frame);
+}
+
+Result<TextureName> AmbientOcclusion::aoApply(const HostTextures& textures,
+                                              const glm::vec3& position) {
+    if (Status status = impl_->allowed(); !status) {
+        return impl_->report(std::move(status));
+    }
+    Result<Frame> frame = impl_->frameAt(position);
+    if (!frame) {
+        return impl_->report(frame.status());
+    }
+    const auto apply = [&]() -> Result<TextureName> {
+        const gl::StateGuard guard(impl_->gl);
+        frame->srgb = guard.hostSrgb();
+        return impl_->backbone->apply(*frame, textures);
+    };
+    return impl_->report(apply());
 }
 
 // ---- Results ------------------------------------------------------------------------------------

@@ -10,9 +10,11 @@
 
 #include <aolib/AbstractTexelTracer.h>
 #include <aolib/Export.h>
+#include <aolib/HostTextures.h>
 #include <aolib/Options.h>
 #include <aolib/ProcAddressLoader.h>
 #include <aolib/Scene.h>
+#include <aolib/SceneRenderer.h>
 #include <aolib/Statistics.h>
 #include <aolib/Status.h>
 
@@ -83,13 +85,29 @@ public:
     /// Takes a mesh out of the scene. Errors: UnknownMesh.
     Status removeMesh(MeshId id);
 
+    // ---- Scene definition by drawing -------------------------------------------------------
+
+    /// Has the host draw what occludes, with its own shaders, in place of the meshes' triangles:
+    /// once for each face of a cube map that is computed. What is behind the first surface stays
+    /// unknown; `layered-intervals` assumes a thickness. `Estimator::RayTraced` knows the described
+    /// meshes alone.
+    /// @param renderer  kept until it is exchanged; empty goes back to the meshes.
+    /// @param min,max   a box that holds all that is drawn, world units.
+    /// Errors: InvalidPosition (not finite, or min above max), InvalidCallOrder in the callback.
+    /// Since 0.1.
+    Status setSceneRenderer(SceneRenderer renderer, const glm::vec3& min, const glm::vec3& max);
+    /// Says that what the renderer draws has changed within a box, before and after together: the
+    /// cube maps that see it are computed again.
+    /// Errors: InvalidPosition, NoScene without a renderer. Since 0.1.
+    Status aoSceneChanged(const glm::vec3& min, const glm::vec3& max);
+
     // ---- Cube maps -------------------------------------------------------------------------
 
     /// Places a cube map. Without a frame budget its ambient occlusion is computed before this call
     /// returns, else over the frames to come.
     /// @param position  world units; moved to free space if it lies on a surface.
     /// Errors: InvalidCallOrder (the backbone keeps no cube maps), InvalidPosition, NoScene,
-    /// MissingCapability, OutOfMemory. Context. Thesis 4.2.1. Since 0.1.
+    /// MissingCapability, OutOfMemory, CallbackFailed. Context. Thesis 4.2.1. Since 0.1.
     Result<CubeMapId> addCubeMap(const glm::vec3& position);
     /// Errors: UnknownCubeMap. Context.
     Status removeCubeMap(CubeMapId id);
@@ -112,8 +130,18 @@ public:
     /// Without aoSetCamera() in a compatibility context the matrices are read from GL, if one of
     /// those at aoDrawBegin() and aoDrawEnd() belongs to this position.
     /// Errors: InvalidCallOrder, NoCamera, InvalidCamera, InvalidFramebuffer, OutOfMemory,
-    /// MissingCapability. Context.
+    /// MissingCapability, CallbackFailed. Context.
     Status aoDrawEnd(float x, float y, float z);
+    /// A frame for hosts that render to textures of their own: instead of aoDrawBegin() and
+    /// aoDrawEnd(), between them or not. Clip control and depth range that count are those current
+    /// at this call; viewport and framebuffer do not.
+    /// @param position  world position of the camera.
+    /// @return without a colour texture one that holds what colours are to be multiplied by,
+    /// (1 - a) + a W, in red (GL_R8, 1 for the background); aolib's own, of the size given, valid
+    /// until the next call or the end. With a colour texture none: that one has been multiplied.
+    /// Errors: as aoDrawEnd; InvalidFramebuffer for a texture that is missing or of no use here.
+    /// Context. Since 0.1.
+    Result<TextureName> aoApply(const HostTextures& textures, const glm::vec3& position);
 
     // ---- Results ---------------------------------------------------------------------------
 

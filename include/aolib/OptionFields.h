@@ -71,7 +71,8 @@ void visitOptions(OptionsType& o, Visitor&& visit) {
     visit("layers", o.layeredIntervals.layers, OptionRange{1, 8},
           "layered-intervals: most solid intervals along a ray");
     visit("thickness", o.layeredIntervals.thickness, OptionRange{0.0, kMaxFloat},
-          "layered-intervals in screen space: depth of what is seen, world units; 0 = radius / 4");
+          "layered-intervals where the host draws: depth of what is seen, world units; 0 = radius "
+          "/ 4");
     visit("texel-rays", o.rayTraced.rays, OptionRange{4, 65536}, "ray-traced: rays per texel");
     visit("frame-budget", o.frameBudget, OptionRange{0.0, 1000.0},
           "milliseconds per frame for computing cube maps; 0 = each at once");

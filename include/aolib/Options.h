@@ -57,7 +57,8 @@ struct LayeredIntervalsOptions {
     int slices = 8;         ///< half turns about the axis to the cube's centre, count, 1 to 128
     int steps = 16;         ///< samples per slice and side, count, 1 to 256
     int layers = 8;         ///< most solid intervals kept along a ray, count, 1 to 8
-    float thickness = 0.0F; ///< screen space only: assumed depth of what is seen; 0 = radius / 4
+    float thickness = 0.0F; ///< screen space and what a scene renderer draws: assumed depth of
+                            ///< what is seen, world units; 0 = radius / 4
 
     bool operator==(const LayeredIntervalsOptions&) const = default;
 };

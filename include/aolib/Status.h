@@ -27,8 +27,9 @@ enum class StatusCode : std::uint8_t {
     MissingCapability,   ///< the context lacks a function or a size that is needed
     NoContext,           ///< no OpenGL context is current, or the loader knows no function
     ShaderError,         ///< a shader did not compile or link; the message holds the driver's log
-    OutOfMemory, ///< GL could not give a texture, buffer or framebuffer of the size asked for
-    Cancelled,   ///< the host's progress callback said so; there is no result
+    OutOfMemory,    ///< GL could not give a texture, buffer or framebuffer of the size asked for
+    Cancelled,      ///< the host's progress callback said so; there is no result
+    CallbackFailed, ///< the host's scene renderer threw an exception
 };
 
 /// The name of a code, for messages and tests: `statusName(StatusCode::Ok) == "Ok"`.
@@ -74,6 +75,8 @@ constexpr const char* statusName(StatusCode code) {
         return "OutOfMemory";
     case StatusCode::Cancelled:
         return "Cancelled";
+    case StatusCode::CallbackFailed:
+        return "CallbackFailed";
     }
     return "unknown";
 }

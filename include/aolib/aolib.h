@@ -2,9 +2,11 @@
 
 /// Everything a host needs: `#include <aolib/aolib.h>`.
 #include <aolib/AmbientOcclusion.h>
+#include <aolib/HostTextures.h>
 #include <aolib/OptionFields.h>
 #include <aolib/Options.h>
 #include <aolib/ProcAddressLoader.h>
 #include <aolib/Scene.h>
+#include <aolib/SceneRenderer.h>
 #include <aolib/Statistics.h>
 #include <aolib/Status.h>

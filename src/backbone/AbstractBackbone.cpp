@@ -3,14 +3,13 @@
 #include <cmath>
 #include <string>
 
+#include "backbone/Estimators.h"
 #include "backbone/ShaderLibrary.h"
 
 namespace aolib {
 
 namespace {
 
-/// Share of the scene's diagonal that a derived radius has (thesis 4.3.2 derives likewise).
-constexpr float kRadiusShare = 0.1F;
 /// Change of the scene's size, as a factor, from which a derived radius follows.
 constexpr float kRadiusSlack = 1.25F;
 
@@ -69,6 +68,18 @@ Status AbstractBackbone::drawEnd(Frame& frame) {
     timer_.end();
     ++frame_;
     return finished;
+}
+
+Result<TextureName> AbstractBackbone::apply(Frame& frame, const HostTextures& textures) {
+    Status status = applied_.attach(context_.gl, textures, frame);
+    if (status) {
+        status = drawEnd(frame);
+    }
+    applied_.release(context_.gl);
+    if (!status) {
+        return status;
+    }
+    return textures.colour == TextureName{} ? applied_.factor() : TextureName{};
 }
 
 Result<const gl::RenderToTexture2D*> AbstractBackbone::fillBuffers(const Frame& frame) {
@@ -134,8 +145,8 @@ Statistics AbstractBackbone::statistics() {
     Statistics statistics;
     statistics.frame = frame_;
     statistics.frameGpuMs = timer_.milliseconds();
-    statistics.bytesFrame =
-        host_.bytes() + geometry_.bytes() + (visibility_ ? visibility_.bytes() : 0);
+    statistics.bytesFrame = host_.bytes() + geometry_.bytes() + applied_.bytes() +
+                            (visibility_ ? visibility_.bytes() : 0);
     addStatistics(statistics);
     return statistics;
 }

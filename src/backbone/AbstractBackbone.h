@@ -6,6 +6,7 @@
 #include <aolib/Statistics.h>
 #include <aolib/Status.h>
 
+#include "backbone/AppliedTextures.h"
 #include "backbone/Blur.h"
 #include "backbone/Composite.h"
 #include "backbone/GeometryBuffer.h"
@@ -26,11 +27,16 @@ public:
 
     /// Darkens the host's picture. Errors: as AmbientOcclusion::aoDrawEnd().
     Status drawEnd(Frame& frame);
+    /// The same for textures of the host's, which tell the frame's size and framebuffers.
+    /// Errors: as AmbientOcclusion::aoApply().
+    Result<TextureName> apply(Frame& frame, const HostTextures& textures);
     /// The options changed from `before` to what the context now refers to.
     virtual void optionsChanged(const Options& before) = 0;
 
     /// The tracer is about to be exchanged: nothing may hold on to it.
     virtual void dropTracer() {}
+    /// The host's scene renderer was exchanged: nothing that was drawn counts any more.
+    virtual void rendererChanged() {}
 
     /// Cube maps; a strategy that keeps none answers InvalidCallOrder.
     virtual Result<CubeMapId> addCubeMap(const glm::vec3& position);
@@ -79,6 +85,7 @@ private:
     gl::RenderToTexture2D visibility_; ///< W (-1 background), shaded; size of the frame
     std::optional<Frame> latest_;      ///< its depth is still in host_
     bool buffered_ = false;            ///< visibility_ belongs to the latest frame
+    AppliedTextures applied_;
     Blur blur_;
     Composite composite_;
     gl::GpuTimer timer_;

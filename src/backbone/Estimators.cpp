@@ -6,7 +6,7 @@ namespace aolib {
 
 namespace {
 
-/// Depth that screen space assumes of what it sees, as a share of the radius.
+/// The assumed depth as a share of the radius.
 constexpr float kThicknessShare = 0.25F;
 
 /// A step through n slices that visits all and spreads every few of them: coprime to n, near its
@@ -34,6 +34,11 @@ EstimatorTraits traitsOf(Estimator estimator) {
     return {};
 }
 
+float assumedThickness(const Options& options, float radius) {
+    const float wanted = options.layeredIntervals.thickness;
+    return wanted > 0.0F ? wanted : kThicknessShare * radius;
+}
+
 void setEstimatorUniforms(gl::GLSLShader& shader, const Options& options, float radius) {
     shader.set("uRadius", radius);
     shader.set("uFalloff", static_cast<int>(options.falloff));
@@ -42,8 +47,7 @@ void setEstimatorUniforms(gl::GLSLShader& shader, const Options& options, float 
         shader.set("uSlices", layered.slices);
         shader.set("uSliceStride", strideOf(layered.slices));
         shader.set("uSteps", layered.steps);
-        shader.set("uThickness",
-                   layered.thickness > 0.0F ? layered.thickness : kThicknessShare * radius);
+        shader.set("uThickness", assumedThickness(options, radius));
         return;
     }
     const HorizonSplitOptions& split = options.horizonSplit;

@@ -15,6 +15,12 @@ struct EstimatorTraits {
 };
 EstimatorTraits traitsOf(Estimator estimator);
 
+/// Share of the scene's diagonal that a derived radius has (thesis 4.3.2 derives likewise).
+inline constexpr float kRadiusShare = 0.1F;
+
+/// Depth assumed of surfaces of which nothing but the front is known, world units.
+float assumedThickness(const Options& options, float radius);
+
 /// Sets the uniforms that the estimator's shader reads. @param radius  in force, world units.
 void setEstimatorUniforms(gl::GLSLShader& shader, const Options& options, float radius);
 

@@ -8,6 +8,7 @@
 
 #include <aolib/AbstractTexelTracer.h>
 #include <aolib/Options.h>
+#include <aolib/SceneRenderer.h>
 
 #include "backbone/HostCamera.h"
 #include "gl/Functions.h"
@@ -23,18 +24,21 @@ struct BackboneContext {
     Scene& scene;
     const Options& options;
     const std::unique_ptr<AbstractTexelTracer>& tracer; ///< empty: the host gave none
+    const SceneRenderer& renderer;                      ///< empty: triangles are drawn
 };
 
 /// One frame as the host hands it over at aoDrawEnd().
 struct Frame {
     HostCamera camera;
-    glm::vec3 position; ///< of the camera, as the host gave it
-    GLuint framebuffer; ///< the host's draw framebuffer
-    glm::ivec2 origin;  ///< lower left corner of its viewport, pixels
-    glm::ivec2 size;    ///< of its viewport, pixels
+    glm::vec3 position;          ///< of the camera, as the host gave it
+    GLuint framebuffer = 0;      ///< of the host's colours
+    GLuint depthFramebuffer = 0; ///< of the host's depth
+    glm::ivec2 origin{0};        ///< lower left corner of its viewport, pixels
+    glm::ivec2 size{0};          ///< of its viewport, pixels
     ClipConvention clip;
-    bool srgb;    ///< the host encodes colours when it writes them
-    bool scissor; ///< the host's scissor test is on
+    bool srgb = false;        ///< the host encodes colours when it writes them
+    bool scissor = false;     ///< the host's scissor test is on
+    bool hostNormals = false; ///< colour 0 of that framebuffer holds the host's normals
 };
 
 } // namespace aolib

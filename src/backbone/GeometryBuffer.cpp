@@ -30,11 +30,25 @@ Status GeometryBuffer::update(const BackboneContext& context, const Frame& frame
         }
         target_ = std::move(*created);
     }
+    if (frame.hostNormals && !withNormals_) {
+        auto shader = buildShader(context.gl, "fullscreen.vert", "frame/geometry_buffer.frag",
+                                  "AO_HOST_NORMALS");
+        if (!shader) {
+            return shader.status();
+        }
+        withNormals_ = std::move(*shader);
+    }
+    gl::GLSLShader& shader = frame.hostNormals ? *withNormals_ : shader_;
     target_.beginAll();
     host.bindDepth(0);
-    shader_.bind();
-    shader_.set("uDepth", 0);
-    frame.camera.setUniforms(shader_, frame.size, frame.clip);
+    shader.bind();
+    shader.set("uDepth", 0);
+    if (frame.hostNormals) {
+        host.bindNormals(1);
+        shader.set("uHostNormals", 1);
+        shader.set("uNormalCode", host.normalCode());
+    }
+    frame.camera.setUniforms(shader, frame.size, frame.clip);
     context.generated.drawFullscreen();
     return {};
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include <aolib/Status.h>
 
 #include "backbone/HostFramebuffer.h"
@@ -7,12 +9,13 @@
 
 namespace aolib {
 
-/// Linear depth and world normal of every pixel that the host drew, rebuilt from its depth buffer.
+/// Linear depth and world normal of every pixel that the host drew, rebuilt from its depth buffer;
+/// the normals are the host's where it gives them.
 class GeometryBuffer {
 public:
     /// Errors: ShaderError, OutOfMemory.
     static Result<GeometryBuffer> create(const BackboneContext& context);
-    /// Rebuilds it from the host's depth. Errors: OutOfMemory, MissingCapability.
+    /// Rebuilds it from the host's depth. Errors: OutOfMemory, MissingCapability, ShaderError.
     Status update(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host);
     /// Binds both textures and sets the uniforms of shaders/frame/geometry.glsl.
     void bind(gl::GLSLShader& shader, const Frame& frame, int depthUnit, int normalUnit) const;
@@ -20,6 +23,8 @@ public:
 
 private:
     gl::GLSLShader shader_;
+    std::optional<gl::GLSLShader>
+        withNormals_; ///< takes the host's normals; built when first needed
     gl::RenderToTexture2D target_;
 };
 

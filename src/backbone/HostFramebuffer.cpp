@@ -59,24 +59,29 @@ Depth matching(const HostDepth& host) {
 } // namespace
 
 Status HostFramebuffer::acquire(const gl::Functions& gl, Frame& frame) {
-    gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, frame.framebuffer);
-    gl.BindFramebuffer(GL_READ_FRAMEBUFFER, frame.framebuffer);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, frame.depthFramebuffer);
     if (const GLenum state = gl.CheckFramebufferStatus(GL_READ_FRAMEBUFFER);
         state != GL_FRAMEBUFFER_COMPLETE) {
         return {StatusCode::InvalidFramebuffer,
-                "the host's framebuffer " + std::to_string(frame.framebuffer) +
+                "the host's framebuffer " + std::to_string(frame.depthFramebuffer) +
                     " is incomplete (status " + std::to_string(state) + ")"};
     }
-    const HostDepth host = hostDepth(gl, frame.framebuffer == 0);
+    const HostDepth host = hostDepth(gl, frame.depthFramebuffer == 0);
     if (host.bits == 0) {
         return {StatusCode::InvalidFramebuffer, "the host's framebuffer " +
-                                                    std::to_string(frame.framebuffer) +
+                                                    std::to_string(frame.depthFramebuffer) +
                                                     " has no depth buffer"};
     }
+    frame.clip.depthQuantum = std::exp2(-std::min(24, host.bits));
+    if (Status status = copyDepth(gl, frame, matching(host)); !status) {
+        return status;
+    }
+    return frame.hostNormals ? copyNormals(gl, frame) : Status();
+}
+
+Status HostFramebuffer::copyDepth(const gl::Functions& gl, const Frame& frame, Depth format) {
     GLint samples = 0;
     gl.GetIntegerv(GL_SAMPLES, &samples);
-    frame.clip.depthQuantum = std::exp2(-std::min(24, host.bits));
-    const Depth format = matching(host);
     if (!depth_ || format != format_ || depth_.width() != frame.size.x ||
         depth_.height() != frame.size.y) {
         auto created = gl::RenderToTexture2D::create(gl, {.width = frame.size.x,
@@ -89,18 +94,42 @@ Status HostFramebuffer::acquire(const gl::Functions& gl, Frame& frame) {
         }
         depth_ = std::move(*created);
         format_ = format;
-        gl.BindFramebuffer(GL_READ_FRAMEBUFFER, frame.framebuffer);
+        gl.BindFramebuffer(GL_READ_FRAMEBUFFER, frame.depthFramebuffer);
     }
     const glm::ivec2 o = frame.origin;
     const glm::ivec2 s = frame.size;
     if (samples > 0) {
         depth_.beginAll();
+        gl.BindFramebuffer(GL_READ_FRAMEBUFFER, frame.depthFramebuffer);
         gl.BlitFramebuffer(o.x, o.y, o.x + s.x, o.y + s.y, 0, 0, s.x, s.y, GL_DEPTH_BUFFER_BIT,
                            GL_NEAREST);
     } else {
         depth_.bindDepthTexture(0);
         gl.CopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, o.x, o.y, s.x, s.y);
     }
+    return {};
+}
+
+Status HostFramebuffer::copyNormals(const gl::Functions& gl, const Frame& frame) {
+    if (!normals_ || normals_.width() != frame.size.x || normals_.height() != frame.size.y) {
+        auto created =
+            gl::RenderToTexture2D::create(gl, {.width = frame.size.x,
+                                               .height = frame.size.y,
+                                               .targets = {gl::RenderToTexture2D::Format::RGBA16F},
+                                               .label = "aolib/frame/normals"});
+        if (!created) {
+            return created.status();
+        }
+        normals_ = std::move(*created);
+    }
+    gl.BindFramebuffer(GL_READ_FRAMEBUFFER, frame.depthFramebuffer);
+    const bool shifted =
+        attachmentValue(gl, GL_COLOR_ATTACHMENT0, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) ==
+        static_cast<GLint>(GL_UNSIGNED_NORMALIZED);
+    normalCode_ = shifted ? glm::vec2(2.0F, -1.0F) : glm::vec2(1.0F, 0.0F);
+    normals_.bindTexture(0, 0);
+    gl.CopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, frame.origin.x, frame.origin.y, frame.size.x,
+                         frame.size.y);
     return {};
 }
 

@@ -57,6 +57,7 @@
     X(PFNGLFENCESYNCPROC, FenceSync)                                                               \
     X(PFNGLFINISHPROC, Finish)                                                                     \
     X(PFNGLFRAMEBUFFERRENDERBUFFERPROC, FramebufferRenderbuffer)                                   \
+    X(PFNGLFRAMEBUFFERTEXTUREPROC, FramebufferTexture)                                             \
     X(PFNGLFRAMEBUFFERTEXTURE2DPROC, FramebufferTexture2D)                                         \
     X(PFNGLFRAMEBUFFERTEXTURELAYERPROC, FramebufferTextureLayer)                                   \
     X(PFNGLFRONTFACEPROC, FrontFace)                                                               \
@@ -88,6 +89,7 @@
     X(PFNGLGETUNIFORMLOCATIONPROC, GetUniformLocation)                                             \
     X(PFNGLISENABLEDPROC, IsEnabled)                                                               \
     X(PFNGLISENABLEDIPROC, IsEnabledi)                                                             \
+    X(PFNGLISTEXTUREPROC, IsTexture)                                                               \
     X(PFNGLLINEWIDTHPROC, LineWidth)                                                               \
     X(PFNGLLINKPROGRAMPROC, LinkProgram)                                                           \
     X(PFNGLMAPBUFFERRANGEPROC, MapBufferRange)                                                     \

@@ -67,6 +67,13 @@ public:
     void bindTexture(int target, int unit) const;
     void bindDepthTexture(int unit) const;
 
+    /// GL's name of a target's texture.
+    GLuint textureName(int target) const {
+        return textures_[static_cast<std::size_t>(target)].name();
+    }
+    /// GL's name of the framebuffer.
+    GLuint framebufferName() const { return framebuffer_.name(); }
+
     int width() const { return settings_.width; }
     int height() const { return settings_.height; }
     /// GPU memory of all textures.

@@ -119,8 +119,16 @@ std::size_t Scene::triangleCount() const {
     return count;
 }
 
+void Scene::setDrawn(const Bounds& box) {
+    Bounds region = bounds_;
+    drawn_ = box;
+    update();
+    region.include(bounds_);
+    touch(region);
+}
+
 void Scene::update() {
-    bounds_ = Bounds();
+    bounds_ = drawn_;
     for (const auto& [id, mesh] : meshes_) {
         bounds_.include(mesh.worldBounds());
     }

@@ -19,10 +19,17 @@ public:
     Status remove(MeshId id);
 
     const std::map<MeshId, Mesh>& meshes() const { return meshes_; }
-    bool empty() const { return meshes_.empty(); }
+    /// Whether there is nothing: no mesh, and nothing that the host draws.
+    bool empty() const { return meshes_.empty() && drawn_.empty(); }
     std::size_t triangleCount() const;
-    /// World bounds of all meshes.
+    /// World bounds of all meshes, and of what the host draws.
     const Bounds& bounds() const { return bounds_; }
+    /// Says that the host draws the scene by itself, within a box; an empty box ends that.
+    void setDrawn(const Bounds& box);
+    bool drawn() const { return !drawn_.empty(); }
+    /// Says that something changed in a region that no mesh tells of.
+    void touch(const Bounds& region) { changes_.push_back({MeshId{0}, false, region}); }
+
     /// Distance to the nearest triangle and the direction away from it; for an empty scene
     /// infinite.
     struct Clearance {
@@ -31,7 +38,8 @@ public:
     };
     Clearance clearance(const glm::vec3& from) const;
 
-    /// A change: which mesh, and the world region that it touches, before and after together.
+    /// A change: which mesh (0: none), and the world region that it touches, before and after
+    /// together.
     struct Change {
         MeshId id;
         bool geometry; ///< the triangles themselves, not only where they stand
@@ -47,6 +55,7 @@ private:
     std::map<MeshId, Mesh> meshes_;
     std::vector<Change> changes_;
     Bounds bounds_;
+    Bounds drawn_;
     std::uint32_t nextId_ = 1;
 };
 

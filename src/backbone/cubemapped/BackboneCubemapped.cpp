@@ -65,6 +65,11 @@ Result<AbstractTexelSource*> BackboneCubemapped::source() {
                           "Estimator::RayTraced needs a tracer; give one by setTexelTracer, as "
                           "createTexelTracer() of aolib/RayTracing.h makes it");
         }
+        if (context_.scene.meshes().empty()) {
+            return Status(StatusCode::NoScene,
+                          "Estimator::RayTraced needs triangles: rays do not meet what a scene "
+                          "renderer draws");
+        }
         if (!traced_) {
             traced_ =
                 std::make_unique<RayTracedTexels>(context_, store_, details_, *context_.tracer);

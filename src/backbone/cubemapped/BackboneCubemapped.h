@@ -26,6 +26,7 @@ public:
 
     void optionsChanged(const Options& before) override;
     void dropTracer() override;
+    void rendererChanged() override { markAllDirty(); }
     Result<CubeMapId> addCubeMap(const glm::vec3& position) override;
     Status removeCubeMap(CubeMapId id) override;
     Status clear() override;

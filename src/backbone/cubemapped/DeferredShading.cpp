@@ -70,11 +70,22 @@ Result<CubeMapCapture> DeferredShading::begin(const BackboneContext& context,
     if (Status status = chooseEstimator(context); !status) {
         return status;
     }
-    const DistanceRange range = distanceRange(context.scene, projector.position());
+    const bool layered = traitsOf(*estimator_).layered;
+    if (context.renderer) {
+        if (Status status = drawn_.build(context, layered); !status) {
+            return status;
+        }
+    }
+    const DistanceRange range =
+        context.renderer ? DrawnCapture::distanceRange(context.scene, projector.position())
+                         : distanceRange(context.scene, projector.position());
     projector.spanDistances(store, range.nearest, range.farthest);
     const FaceCapture faces(context, geometry, projector, range);
     CubeMapCapture capture;
-    if (traitsOf(*estimator_).layered) {
+    if (context.renderer) {
+        capture.geometry =
+            std::make_unique<DrawnCapture>(context, projector, range, drawn_, layered);
+    } else if (layered) {
         capture.geometry = std::make_unique<LayerCapture>(context, geometry, faces, peeling_,
                                                           context.options.layeredIntervals.layers);
     } else {

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "backbone/cubemapped/AbstractCapture.h"
+#include "backbone/cubemapped/DrawnCapture.h"
 #include "backbone/cubemapped/LayerPeeling.h"
 
 namespace aolib {
@@ -53,6 +54,7 @@ private:
 
     gl::GLSLShader capture_;
     LayerPeeling peeling_;
+    DrawnCapture::Shaders drawn_;
     gl::GLSLShader visibility_;
     gl::GLSLShader resolve_;
     std::optional<Estimator> estimator_; ///< that `visibility_` and `resolve_` were built for

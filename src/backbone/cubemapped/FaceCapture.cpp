@@ -18,8 +18,25 @@ constexpr float kRangeSlack = 0.01F;
 /// finite.
 constexpr float kLeastNearest = 1e-5F;
 
-/// Whether a box, relative to the cube's centre, reaches into the frustum of a face. May say yes to
-/// a box just outside.
+float farthestCorner(const Bounds& box, const glm::vec3& from) {
+    return glm::length(glm::max(glm::abs(box.min - from), glm::abs(box.max - from)));
+}
+
+/// Model to the cube's frame: world axes, origin at its centre. The subtraction is done in double.
+glm::mat4 modelToCube(const glm::mat4& model, const glm::vec3& centre) {
+    glm::dmat4 m(model);
+    m[3] -= glm::dvec4(glm::dvec3(centre), 0.0);
+    return glm::mat4(m);
+}
+
+glm::mat3 normalMatrix(const glm::mat4& model) {
+    const glm::dmat3 m{glm::dmat4(model)};
+    const double determinant = glm::determinant(m);
+    return determinant != 0.0 ? glm::mat3(glm::transpose(glm::inverse(m))) : glm::mat3(m);
+}
+
+} // namespace
+
 bool reachesFace(const Bounds& box, const glm::vec3& centre, int face) {
     const glm::mat3 toFace = cubeToFace(face);
     std::array<bool, 5> allOutside{true, true, true, true, true};
@@ -40,25 +57,6 @@ bool reachesFace(const Bounds& box, const glm::vec3& centre, int face) {
     }
     return true;
 }
-
-float farthestCorner(const Bounds& box, const glm::vec3& from) {
-    return glm::length(glm::max(glm::abs(box.min - from), glm::abs(box.max - from)));
-}
-
-/// Model to the cube's frame: world axes, origin at its centre. The subtraction is done in double.
-glm::mat4 modelToCube(const glm::mat4& model, const glm::vec3& centre) {
-    glm::dmat4 m(model);
-    m[3] -= glm::dvec4(glm::dvec3(centre), 0.0);
-    return glm::mat4(m);
-}
-
-glm::mat3 normalMatrix(const glm::mat4& model) {
-    const glm::dmat3 m{glm::dmat4(model)};
-    const double determinant = glm::determinant(m);
-    return determinant != 0.0 ? glm::mat3(glm::transpose(glm::inverse(m))) : glm::mat3(m);
-}
-
-} // namespace
 
 DistanceRange distanceRange(const Scene& scene, const glm::vec3& centre) {
     const float farthest = farthestCorner(scene.bounds(), centre);

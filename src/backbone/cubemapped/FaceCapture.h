@@ -14,6 +14,9 @@ struct DistanceRange {
 /// The range of the scene as seen from `centre`, with a little room to both sides.
 DistanceRange distanceRange(const Scene& scene, const glm::vec3& centre);
 
+/// Whether a box reaches into the frustum of a face. May say yes to a box just outside.
+bool reachesFace(const Bounds& box, const glm::vec3& centre, int face);
+
 /// Draws the scene as the faces of a cube map see it, with the shader that is bound. The near plane
 /// lies just within the distance to the nearest triangle: none is clipped, and the depth buffer's
 /// precision goes where geometry is.

@@ -68,6 +68,8 @@ protected:
             return;
         }
         faulty_.emplace(loader);
+        depth_ = texture(GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8);
+        normal_ = texture(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE);
         auto renderer = host::HostRenderer::create(gl, guestScene());
         ASSERT_TRUE(renderer.ok());
         poison->calm();
@@ -151,6 +153,41 @@ protected:
         });
         return all;
     }
+    /// A frame for textures of the host's own.
+    std::vector<Step> textureSteps() {
+        const auto apply = [this](bool normals, int height) {
+            return [this, normals, height](AmbientOcclusion& ao) {
+                return ao
+                    .aoApply({.size = {HostObjects::kWidth, height},
+                              .depth = TextureName{depth_.name()},
+                              .normal = TextureName{normals ? normal_.name() : 0U}},
+                             Guest::eye())
+                    .status();
+            };
+        };
+        return {{"addCubeMap",
+                 [](AmbientOcclusion& ao) {
+                     return ao.addCubeMap({1, 4, 2}).status();
+                 }},
+                {"aoApply", apply(false, HostObjects::kHeight)},
+                {"aoApply, other size", apply(false, 12)},
+                {"aoApply, normals", apply(true, 12)}};
+    }
+    /// Cube maps that the host draws.
+    static std::vector<Step> drawnSteps() {
+        const auto nothing = [](const FaceView&) {};
+        return {{"setSceneRenderer, addCubeMap",
+                 [nothing](AmbientOcclusion& ao) {
+                     (void)ao.setSceneRenderer(nothing, {-9, 0, -9}, {9, 2, 9});
+                     return ao.addCubeMap({1, 4, 2}).status();
+                 }},
+                {"aoSceneChanged, frame",
+                 [](AmbientOcclusion& ao) {
+                     (void)ao.aoSceneChanged({-1, 0, -1}, {1, 1, 1});
+                     return frame(ao);
+                 }},
+                {"frame", frame}};
+    }
     static std::vector<Step> backboneSteps() {
         const auto exchange = [](Backbone backbone) {
             return [backbone](AmbientOcclusion& ao) {
@@ -167,6 +204,7 @@ protected:
     void reset(AmbientOcclusion& ao) {
         replaced_ = false;
         EXPECT_TRUE(ao.setOptions(options()).ok());
+        EXPECT_TRUE(ao.setSceneRenderer({}, {}, {}).ok());
         EXPECT_TRUE(ao.clear().ok());
         const Model scene = guestScene();
         for (std::size_t i = 0; i < meshes_.size(); ++i) {
@@ -270,7 +308,24 @@ protected:
         EXPECT_EQ(faulty_->alive(), "");
     }
 
+    void TearDown() override {
+        depth_ = {};
+        normal_ = {};
+        HostTest::TearDown();
+    }
+    gl::Texture texture(GLint internal, GLenum format, GLenum type) {
+        auto made = gl::generate<gl::Texture>(gl, &gl::Functions::GenTextures);
+        gl.BindTexture(GL_TEXTURE_2D, made.name());
+        const std::vector<GLuint> half(HostObjects::kWidth * HostObjects::kHeight, 0x7F7F7F7FU);
+        gl.TexImage2D(GL_TEXTURE_2D, 0, internal, HostObjects::kWidth, HostObjects::kHeight, 0,
+                      format, type, half.data());
+        gl.BindTexture(GL_TEXTURE_2D, 0);
+        return made;
+    }
+
     std::optional<FaultyLoader> faulty_;
+    gl::Texture depth_;
+    gl::Texture normal_;
     std::vector<MeshId> meshes_;
     bool replaced_ = false;
     Estimator estimator_ = Estimator::HorizonSplit;
@@ -317,6 +372,43 @@ TEST_P(FaultGLTest, LayersGetOverWhatGlRefuses) {
                 Fault::FramebufferStatus, Fault::TextureStorage, Fault::TextureSize,
                 Fault::BufferStorage},
                1);
+}
+
+TEST_P(FaultGLTest, TexturesOfTheHostGetOverWhatGlRefuses) {
+    refuseEach([this] { return textureSteps(); },
+               {Fault::GenTextures, Fault::GenFramebuffers, Fault::FramebufferStatus,
+                Fault::TextureStorage, Fault::TextureSize},
+               1);
+}
+
+TEST_P(FaultGLTest, DrawnScenesGetOverWhatGlRefuses) {
+    for (const Estimator estimator : {Estimator::HorizonSplit, Estimator::LayeredIntervals}) {
+        estimator_ = estimator;
+        refuseEach([] { return drawnSteps(); },
+                   {Fault::GenTextures, Fault::GenFramebuffers, Fault::FramebufferStatus,
+                    Fault::TextureStorage, Fault::TextureSize},
+                   1);
+    }
+}
+
+TEST_P(FaultGLTest, ShadersThatAreBuiltLateMayFail) {
+    for (const auto& [steps, last] :
+         {std::pair{textureSteps(), std::size_t{3}}, std::pair{drawnSteps(), std::size_t{0}}}) {
+        for (const Fault fault : {Fault::CompileShader, Fault::LinkProgram}) {
+            auto ao = make();
+            ASSERT_TRUE(ao.ok());
+            for (std::size_t i = 0; i < last; ++i) {
+                ASSERT_TRUE(steps[i].call(*ao).ok());
+            }
+            const HostState::Snapshot before = state->snapshot();
+            faulty_->failAt(fault, 1);
+            EXPECT_EQ(steps[last].call(*ao).code(), StatusCode::ShaderError) << steps[last].name;
+            EXPECT_TRUE(faulty_->failed());
+            EXPECT_EQ(state->difference(before, state->snapshot()), "");
+            EXPECT_TRUE(steps[last].call(*ao).ok()) << ao->lastStatus().message();
+        }
+    }
+    EXPECT_EQ(faulty_->alive(), "");
 }
 
 TEST_P(FaultGLTest, ABackboneThatCannotBeMadeLeavesTheOldOne) {

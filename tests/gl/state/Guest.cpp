@@ -2,10 +2,12 @@
 
 #include <array>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
 #include <gtest/gtest.h>
 
+#include "HostObjects.h"
 #include "SmallScene.h"
 #include "host/ModelScene.h"
 
@@ -50,11 +52,42 @@ const glm::vec3& Guest::eye() {
     return position;
 }
 
-Guest::Guest(const ProcAddressLoader& loader) : loader_(loader) {
+Guest::Guest(const ProcAddressLoader& loader, const gl::Functions& gl)
+    : loader_(loader), hostile_(gl) {
+    makeTextures(gl);
     ao_.emplace(std::move(*AmbientOcclusion::create(loader, smallOptions())));
     empty_.emplace(std::move(*AmbientOcclusion::create(loader, smallOptions())));
     meshes_ = *host::describeScene(*ao_, guestScene(), host::SceneNormals::Geometric);
     EXPECT_TRUE(ao_->aoSetCamera(view(), projection()).ok());
+    drawn_.emplace(std::move(*AmbientOcclusion::create(loader, smallOptions())));
+    EXPECT_TRUE(drawn_->aoSetCamera(view(), projection()).ok());
+    const auto renderer = [this](const FaceView& face) {
+        hostile_(face);
+        if (throws_) {
+            throw std::runtime_error("as agreed");
+        }
+    };
+    EXPECT_TRUE(drawn_->setSceneRenderer(renderer, {-10, 0, -10}, {10, 2, 10}).ok());
+}
+
+void Guest::makeTextures(const gl::Functions& gl) {
+    constexpr GLsizei kWidth = HostObjects::kWidth;
+    constexpr GLsizei kHeight = HostObjects::kHeight;
+    struct Format {
+        GLint internal;
+        GLenum format;
+        GLenum type;
+    };
+    for (const Format& f : {Format{GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8},
+                            Format{GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE},
+                            Format{GL_RGB10_A2, GL_RGBA, GL_UNSIGNED_BYTE}}) {
+        textures_.push_back(gl::generate<gl::Texture>(gl, &gl::Functions::GenTextures));
+        gl.BindTexture(GL_TEXTURE_2D, textures_.back().name());
+        const std::vector<GLuint> half(static_cast<std::size_t>(kWidth * kHeight), 0x7F7F7F7FU);
+        gl.TexImage2D(GL_TEXTURE_2D, 0, f.internal, kWidth, kHeight, 0, f.format, f.type,
+                      half.data());
+    }
+    gl.BindTexture(GL_TEXTURE_2D, 0);
 }
 
 /// The public calls, each with what it must answer.
@@ -199,6 +232,44 @@ struct GuestCalls {
         expect(situation.compatibility ? StatusCode::InvalidCamera : StatusCode::NoCamera,
                empty().aoDrawEnd(1000, 0, 0));
     }
+    HostTextures textures() {
+        const auto some = [&](std::size_t i) {
+            return TextureName{dice.chance(0.5) ? guest.textures_[i].name() : 0U};
+        };
+        return {.size = {HostObjects::kWidth, HostObjects::kHeight},
+                .depth = TextureName{guest.textures_[0].name()},
+                .normal = some(2),
+                .colour = some(1)};
+    }
+    void apply() {
+        const auto applied = ao().aoApply(textures(), Guest::eye());
+        expect(situation.apply, applied);
+        guest.hadFrame_ = guest.hadFrame_ || applied.ok();
+    }
+    void applyRefused() {
+        HostTextures broken = textures();
+        broken.depth = TextureName{dice.chance(0.5) ? guest.textures_[1].name() : 54321U};
+        expect(StatusCode::InvalidFramebuffer, ao().aoApply(broken, Guest::eye()));
+        broken = textures();
+        broken.size.y = -1;
+        expect(StatusCode::InvalidFramebuffer, ao().aoApply(broken, Guest::eye()));
+        expect(StatusCode::InvalidCamera, ao().aoApply(textures(), {0, kNaN, 0}));
+    }
+    void sceneRenderer() {
+        AmbientOcclusion& drawn = *guest.drawn_;
+        guest.throws_ = dice.chance(0.3);
+        expect(guest.throws_ ? StatusCode::CallbackFailed : StatusCode::Ok,
+               drawn.addCubeMap(somewhere()));
+        guest.throws_ = false;
+        expect(StatusCode::Ok, drawn.aoSceneChanged({-1, 0, -1}, {1, 1, 1}));
+        expect(StatusCode::Ok, drawn.aoDrawBegin());
+        expect(situation.frame, drawn.aoDrawEnd(Guest::eye().x, Guest::eye().y, Guest::eye().z));
+        if (drawn.cubeMaps().size() >= kMaxCubeMaps) {
+            expect(StatusCode::Ok, drawn.clear());
+        }
+        expect(StatusCode::InvalidPosition, drawn.aoSceneChanged({1, 0, 1}, {-1, 1, -1}));
+        expect(StatusCode::NoScene, ao().aoSceneChanged({0, 0, 0}, {1, 1, 1}));
+    }
     void readVisibility() {
         const auto image = ao().readVisibility();
         expect(guest.hadFrame_ ? StatusCode::Ok : StatusCode::InvalidCallOrder, image);
@@ -259,6 +330,9 @@ constexpr std::array kCalls{
     NamedCall{"aoDrawBegin twice", &GuestCalls::frameTwiceBegun, 20},
     NamedCall{"aoDrawEnd, refused", &GuestCalls::frameNotBegun, 20},
     NamedCall{"aoDrawEnd without a camera", &GuestCalls::frameWithoutCamera, 20},
+    NamedCall{"aoApply", &GuestCalls::apply, 40},
+    NamedCall{"aoApply, refused", &GuestCalls::applyRefused, 20},
+    NamedCall{"setSceneRenderer, aoSceneChanged", &GuestCalls::sceneRenderer, 30},
     NamedCall{"readVisibility", &GuestCalls::readVisibility, 30},
     NamedCall{"readCubeMap", &GuestCalls::readCubeMap, 30},
     NamedCall{"statistics, cubeMaps", &GuestCalls::look, 30},

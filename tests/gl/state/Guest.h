@@ -7,6 +7,7 @@
 #include <aolib/aolib.h>
 
 #include "Dice.h"
+#include "HostileRenderer.h"
 #include "content/Model.h"
 
 namespace aolib {
@@ -27,10 +28,12 @@ public:
     /// What the host's state lets aolib answer.
     struct Situation {
         StatusCode frame = StatusCode::Ok; ///< of aoDrawEnd()
+        StatusCode apply = StatusCode::Ok; ///< of aoApply()
         bool compatibility = false;
     };
 
-    explicit Guest(const ProcAddressLoader& loader);
+    /// @param gl  the host's own functions, for textures that it hands over.
+    Guest(const ProcAddressLoader& loader, const gl::Functions& gl);
 
     /// One public call, or a few that belong together.
     /// @return its name, with what it answered if that was not what it must answer.
@@ -44,9 +47,15 @@ public:
 private:
     friend struct GuestCalls;
 
+    void makeTextures(const gl::Functions& gl);
+
     const ProcAddressLoader& loader_;
+    std::vector<gl::Texture> textures_; ///< depth, colour, normal
+    HostileRenderer hostile_;
     std::optional<AmbientOcclusion> ao_;    ///< has a scene and a camera
     std::optional<AmbientOcclusion> empty_; ///< has neither
+    std::optional<AmbientOcclusion> drawn_; ///< has a camera, and a scene renderer
+    bool throws_ = false;                   ///< that renderer does
     std::vector<MeshId> meshes_;
     bool hadFrame_ = false;
 };

@@ -39,6 +39,11 @@ unsigned HostTest::seeds(unsigned usual) {
     return text != nullptr ? static_cast<unsigned>(std::strtoul(text, nullptr, 10)) : usual;
 }
 
+StatusCode HostTest::applyStatus(const HostView& view) {
+    return view.depthRange[0] != view.depthRange[1] ? StatusCode::Ok
+                                                    : StatusCode::InvalidFramebuffer;
+}
+
 StatusCode HostTest::frameStatus(const HostView& view) const {
     const bool seen =
         view.viewport[2] > 0 && view.viewport[3] > 0 && view.depthRange[0] != view.depthRange[1];

@@ -21,6 +21,8 @@ protected:
     static unsigned seeds(unsigned usual);
     /// What aoDrawEnd() must answer to a host in this state.
     StatusCode frameStatus(const HostView& view) const;
+    /// What aoApply() must answer.
+    static StatusCode applyStatus(const HostView& view);
 
     std::optional<HostGl> host;
     std::optional<HostObjects> objects;

@@ -39,13 +39,14 @@ TEST_P(LeakGLTest, NothingIsLeftAfterALongLife) {
     FaultyLoader ledger(loader);
     const auto before = aliveNames(*host);
     {
-        Guest guest(ledger.loader());
+        Guest guest(ledger.loader(), gl);
         for (unsigned seed = 0; seed < seeds(60); ++seed) {
             Dice dice(seed);
             const HostView view = poison->randomView(dice);
             poison->apply(dice, view);
             for (int i = 0; i < 3; ++i) {
-                const auto outcome = guest.call(dice, {frameStatus(view), host->has.compatibility});
+                const auto outcome = guest.call(
+                    dice, {frameStatus(view), applyStatus(view), host->has.compatibility});
                 EXPECT_EQ(outcome.fault, "") << outcome.call << ", seed " << seed;
             }
         }

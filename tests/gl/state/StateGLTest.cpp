@@ -93,7 +93,8 @@ void StateGLTest::callInStates(Guest& guest, unsigned count) {
         const HostView view = poison->randomView(dice);
         poison->apply(dice, view, /*conditional=*/true);
         ASSERT_EQ(takeError(), static_cast<GLenum>(GL_NO_ERROR)) << "the harness, seed " << seed;
-        const Guest::Situation situation{frameStatus(view), host->has.compatibility};
+        const Guest::Situation situation{frameStatus(view), applyStatus(view),
+                                         host->has.compatibility};
         for (int i = 0; i < 3; ++i) {
             const GLenum planted = plantError(dice);
             const HostState::Snapshot before = state->snapshot();
@@ -113,7 +114,7 @@ void StateGLTest::callInStates(Guest& guest, unsigned count) {
 }
 
 TEST_P(StateGLTest, EveryCallLeavesEveryStateAsItWas) {
-    Guest guest(loader);
+    Guest guest(loader, gl);
     const unsigned count = seeds(300);
     callInStates(guest, count);
     if (count >= 300) {
@@ -124,7 +125,7 @@ TEST_P(StateGLTest, EveryCallLeavesEveryStateAsItWas) {
 TEST_P(StateGLTest, SoDoesOneThatKnowsNothingBeyondGl33) {
     const ProcAddressLoader old = HostGl::withoutNewer(loader);
     setUpHost(/*newest=*/false);
-    Guest guest(old);
+    Guest guest(old, gl);
     callInStates(guest, seeds(60));
 }
 

@@ -14,16 +14,36 @@ function(aolib_install_library target export_set)
         COMPONENT development)
 endfunction()
 
-# A pkg-config file that says where it lies relative to itself.
+# A pkg-config file, of a template of that name or another, that says where it lies relative to itself.
 function(aolib_install_pkg_config name)
-    set(full_prefix ${CMAKE_INSTALL_PREFIX})
-    file(RELATIVE_PATH prefix_from_pc ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${full_prefix})
-    file(RELATIVE_PATH libdir ${full_prefix} ${CMAKE_INSTALL_FULL_LIBDIR})
-    file(RELATIVE_PATH includedir ${full_prefix} ${CMAKE_INSTALL_FULL_INCLUDEDIR})
+    set(template ${name})
+    if(ARGN)
+        set(template ${ARGN})
+    endif()
+    file(RELATIVE_PATH prefix_from_pc ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+    file(RELATIVE_PATH libdir ${CMAKE_INSTALL_PREFIX} ${CMAKE_INSTALL_FULL_LIBDIR})
+    file(RELATIVE_PATH includedir ${CMAKE_INSTALL_PREFIX} ${CMAKE_INSTALL_FULL_INCLUDEDIR})
     string(REGEX REPLACE "/$" "" prefix_from_pc "${prefix_from_pc}")
-    configure_file(${PROJECT_SOURCE_DIR}/cmake/${name}.pc.in ${PROJECT_BINARY_DIR}/${name}.pc @ONLY)
+    configure_file(${PROJECT_SOURCE_DIR}/cmake/${template}.pc.in ${PROJECT_BINARY_DIR}/${name}.pc @ONLY)
     install(FILES ${PROJECT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
         COMPONENT development)
+endfunction()
+
+# An optional component that works with Embree: the target aolib_<component> as aolib::<component>,
+# found by find_package(aolib COMPONENTS <component>) or pkg-config aolib-<component>.
+function(aolib_install_component component description)
+    set(target aolib_${component})
+    set_target_properties(${target} PROPERTIES EXPORT_NAME ${component} INSTALL_RPATH "$ORIGIN")
+    # What a static component is linked with, after itself.
+    set(component_libs "")
+    if(aolib_type STREQUAL STATIC_LIBRARY)
+        set(component_libs " -lembree${embree_VERSION_MAJOR} -lpthread")
+        string(TOUPPER ${target} upper)
+        string(APPEND aolib_pc_cflags " -D${upper}_STATIC_DEFINE")
+    endif()
+    aolib_install_library(${target} ${target}Targets)
+    aolib_install_pkg_config(aolib-${component} aolib-component)
+    install(FILES ${ARGN} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/aolib COMPONENT development)
 endfunction()
 
 get_target_property(aolib_type aolib TYPE)
@@ -49,19 +69,14 @@ install(FILES ${PROJECT_BINARY_DIR}/include/aolib/Export.h
     DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/aolib COMPONENT development)
 
 if(TARGET aolib_raytracing AND AOLIB_WITH_RAYTRACING)
-    set_target_properties(aolib_raytracing PROPERTIES
-        EXPORT_NAME raytracing INSTALL_RPATH "$ORIGIN")
-    # What a static component is linked with, after itself.
-    set(aolib_raytracing_private_libs "-lembree${embree_VERSION_MAJOR} -lpthread")
-    set(aolib_raytracing_libs "")
-    if(aolib_type STREQUAL STATIC_LIBRARY)
-        set(aolib_raytracing_libs " ${aolib_raytracing_private_libs}")
-        string(APPEND aolib_pc_cflags " -DAOLIB_RAYTRACING_STATIC_DEFINE")
-    endif()
-    aolib_install_library(aolib_raytracing aolibRaytracingTargets)
-    aolib_install_pkg_config(aolib-raytracing)
-    install(FILES ${PROJECT_SOURCE_DIR}/include/aolib/RayTracing.h
-        ${PROJECT_BINARY_DIR}/include/aolib/RayTracingExport.h
+    aolib_install_component(raytracing "Texels of aolib's cube maps, traced by rays"
+        ${PROJECT_SOURCE_DIR}/include/aolib/RayTracing.h
+        ${PROJECT_BINARY_DIR}/include/aolib/RayTracingExport.h)
+endif()
+if(TARGET aolib_bake AND AOLIB_WITH_BAKE)
+    aolib_install_component(bake "Maps and vertices of models, baked by rays"
+        ${PROJECT_BINARY_DIR}/include/aolib/BakeExport.h)
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/aolib/bake
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/aolib COMPONENT development)
 endif()
 

@@ -213,7 +213,9 @@ TEST_P(ApplyGLTest, RefusesWhatIsOfNoUse) {
         EXPECT_NE(applied.status().message(), "");
         return applied.status().code();
     };
-    EXPECT_EQ(refused({.size = kSize, .depth = depth}), StatusCode::NoCamera);
+    EXPECT_EQ(refused({.size = kSize, .depth = depth}),
+              GetParam().profile == ContextRequest::Profile::Core ? StatusCode::NoCamera
+                                                                  : StatusCode::InvalidCamera);
     drawInto(host, depth, colour);
     constexpr StatusCode kInvalid = StatusCode::InvalidFramebuffer;
     EXPECT_EQ(refused({.size = kSize}), kInvalid) << "no depth";

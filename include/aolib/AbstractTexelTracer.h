@@ -12,6 +12,13 @@
 
 namespace aolib {
 
+/// Where someone looks: the first surface between the ends is seen. World units, relative to the
+/// request's centre.
+struct LineOfSight {
+    glm::vec3 from{0.0F};
+    glm::vec3 to{0.0F}; ///< elsewhere than `from`
+};
+
 /// A rectangle of texels of one cube map's face that is to be traced. Lengths in world units.
 /// Cheapest are multiples of 4 by 4 texels, and 64 or 256 rays that start at a multiple of
 /// their number: rays of alike texels that point alike are traced together.
@@ -28,6 +35,9 @@ struct TexelRequest {
     int rays = 0;                    ///< rays per texel to trace now, at least 1
     float radius = 0.0F;             ///< above 0; `Falloff::None` ignores it
     Falloff falloff = Falloff::Step; ///< weight of a hit by its distance
+    /// Not empty: what is traced in place of a face's texels, `width * height` of them. Face and
+    /// place then only choose their sequences of rays, and need not lie within a face.
+    std::vector<LineOfSight> sights;
 };
 
 /// The answer to a request: arrays of `width * height`, row 0 at the bottom.

@@ -66,6 +66,8 @@ struct LayeredIntervalsOptions {
 /// Settings of `Estimator::RayTraced`.
 struct RayTracedOptions {
     int rays = 256; ///< per texel when converged, count, 4 to 65536
+    /// While the view rests, also trace the pixels that texels do not quite tell, each by itself.
+    bool repair = true;
 
     bool operator==(const RayTracedOptions&) const = default;
 };

@@ -4,6 +4,7 @@
 // passes found.
 #include "frame/host_surface.glsl"
 #include "cubemap/projection.glsl"
+#include "cubemap/repaired.glsl"
 
 uniform sampler2D uBest; // of the passes before
 uniform bool uFirstPass;
@@ -43,6 +44,12 @@ void main() {
             consider(cube, eyeTo, normal, best);
         }
         guess(eyeTo, best);
+        float repaired = repairedVisibility(pixel, rawDepth(pixel));
+        if (repaired >= 0.0) {
+            best.sum = repaired;
+            best.weights = 1.0;
+            best.quality = max(best.quality, kGuess);
+        }
     }
     outBest = vec4(best.sum, best.quality,
                    best.quality > before.g ? faceCode(best) : before.b, best.weights);

@@ -36,6 +36,8 @@ const float kGuess = -1000.0;
 // Sum of weights, 2^-(distance in footprints)^2, from which texels are near enough.
 const float kLeastWeight = 0.002;
 const float kUnknown = -1.0e5; // log2 of quality where no cube map knows the surface
+// Texels about a point that differ by more than this in visibility leave it in doubt.
+const float kDoubtfulSpread = 0.05;
 
 struct Projected {
     float sum;     // of visibility, weighted
@@ -45,10 +47,11 @@ struct Projected {
     vec2 uv;       // on that face
     int guess;     // the best of those that see its direction but do not know the surface
     float guessQuality;
+    bool doubt; // the best does not quite tell the surface's visibility
 };
 
 Projected nothingProjected() {
-    return Projected(0.0, 0.0, kUnknown, 0, vec2(0.0), -1, kUnknown);
+    return Projected(0.0, 0.0, kUnknown, 0, vec2(0.0), -1, kUnknown, true);
 }
 
 int faceLayer(int cube, int face) {
@@ -109,7 +112,8 @@ Quad quadAt(Grid grid, ivec2 corner, vec2 code) {
 
 // Visibility of p by the four texels about it that lie on its surface; negative if there is none.
 // All in the face's axes; `at` in texels from the middle of the grid's first.
-float lookUp(vec3 p, vec3 normal, Grid grid, vec2 at, vec2 code, float tolerance) {
+// @param doubt  whether not all four do, or they differ
+float lookUp(vec3 p, vec3 normal, Grid grid, vec2 at, vec2 code, float tolerance, out bool doubt) {
     vec2 corner = clamp(floor(at), vec2(0.0), vec2(grid.extent - 2));
     vec2 f = clamp(at - corner, 0.0, 1.0);
     Quad quad = quadAt(grid, ivec2(corner), code);
@@ -118,8 +122,13 @@ float lookUp(vec3 p, vec3 normal, Grid grid, vec2 at, vec2 code, float tolerance
     // Never quite zero: a lone texel in the far corner is better than none.
     vec4 weights = vec4((1.0 - f.x) * (1.0 - f.y), f.x * (1.0 - f.y), (1.0 - f.x) * f.y, f.x * f.y) +
                    1.0e-3;
-    weights *= vec4(lessThanEqual(off, vec4(tolerance))) * quad.known;
+    vec4 belongs = vec4(lessThanEqual(off, vec4(tolerance))) * quad.known;
+    weights *= belongs;
     float sum = dot(weights, vec4(1.0));
+    vec2 least = min(quad.visibility.xy, quad.visibility.zw);
+    vec2 most = max(quad.visibility.xy, quad.visibility.zw);
+    doubt = dot(belongs, vec4(1.0)) < 3.5 ||
+            max(most.x, most.y) - min(least.x, least.y) > kDoubtfulSpread;
     return sum > 0.0 ? dot(weights, quad.visibility) / sum : -1.0;
 }
 
@@ -176,6 +185,7 @@ void project(int cube, vec3 eyeTo, vec3 normal, float resolution, inout Projecte
     // Seen from less than half a texel above it, a surface may well lie between the texels' rays.
     float resolved = cosDelta * float(uFaceSize);
     float visibility = -1.0;
+    bool doubt = false;
 #ifdef AO_DETAIL
     ivec2 tile = min(ivec2(at), uFaceSize - 1) / kTile;
     int page = int(texelFetch(uPages, ivec3(tile, layer), 0).r * 65535.0 + 0.5);
@@ -188,13 +198,15 @@ void project(int cube, vec3 eyeTo, vec3 normal, float resolution, inout Projecte
                          float(kDetailScale * uFaceSize));
         vec2 inBlock = at * float(kDetailScale) - vec2(grid.offset) - 0.5;
         visibility = lookUp(inFace, normalInFace, grid, inBlock, code,
-                            (tolerance - resolution) / float(kDetailScale) + resolution);
+                            (tolerance - resolution) / float(kDetailScale) + resolution, doubt);
     }
 #endif
     if (visibility < 0.0) {
         Grid grid = Grid(false, layer, ivec2(0), ivec2(0), ivec2(uFaceSize), float(uFaceSize));
         if (resolved >= 1.0) {
-            visibility = lookUp(inFace, normalInFace, grid, at - 0.5, code, tolerance);
+            bool coarse;
+            visibility = lookUp(inFace, normalInFace, grid, at - 0.5, code, tolerance, coarse);
+            doubt = doubt || coarse;
         }
     }
     if (visibility < 0.0) {
@@ -207,7 +219,7 @@ void project(int cube, vec3 eyeTo, vec3 normal, float resolution, inout Projecte
     if (quality > best.quality) {
         float fade = exp2(max(kSharpness * (best.quality - quality), -100.0));
         best = Projected(best.sum * fade + visibility, best.weights * fade + 1.0, quality, face, uv,
-                         best.guess, best.guessQuality);
+                         best.guess, best.guessQuality, doubt);
     } else {
         float weight = exp2(kSharpness * (quality - best.quality));
         best.sum += weight * visibility;
@@ -247,6 +259,7 @@ void guess(vec3 eyeTo, inout Projected best) {
         best.sum = visibility;
         best.weights = 1.0;
         best.quality = best.guessQuality + kGuess;
+        best.doubt = true;
         best.face = face;
         best.uv = uv;
     }

@@ -4,6 +4,7 @@
 // (1 - a) + a W, thesis eq. 4.11.
 #include "frame/host_surface.glsl"
 #include "cubemap/projection.glsl"
+#include "cubemap/repaired.glsl"
 
 uniform ivec2 uOrigin; // lower left corner of the host's viewport, pixels
 uniform int uCubes;
@@ -12,8 +13,9 @@ uniform float uContrast;
 layout(location = 0) out vec4 outFactor;
 
 void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy) - uOrigin;
     HostSurface surface;
-    if (!hostSurface(ivec2(gl_FragCoord.xy) - uOrigin, surface)) {
+    if (!hostSurface(pixel, surface)) {
         discard;
     }
     vec3 eyeTo = uEyeToWorld * surface.eye;
@@ -25,5 +27,7 @@ void main() {
     }
     guess(eyeTo, best);
     float visibility = best.weights > 0.0 ? best.sum / best.weights : 1.0;
+    float repaired = repairedVisibility(pixel, rawDepth(pixel));
+    visibility = repaired < 0.0 ? visibility : repaired;
     outFactor = vec4(vec3(1.0 - uContrast + uContrast * visibility), 1.0);
 }

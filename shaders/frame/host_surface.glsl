@@ -3,6 +3,8 @@
 
 uniform sampler2D uDepth; // as the host drew it
 
+const float kAloneFootprints = 0.3;
+
 float rawDepth(ivec2 pixel) {
     return texelFetch(uDepth, clamp(pixel, ivec2(0), ivec2(uViewSize) - 1), 0).r;
 }
@@ -25,6 +27,16 @@ vec3 surfaceStep(ivec2 pixel, ivec2 axis, float d, vec3 centre) {
     float side = useAfter ? 1.0 : -1.0;
     vec2 window = vec2(pixel) + 0.5 + side * vec2(axis);
     return side * (eyePosition(window, linearDepth(useAfter ? after1 : before1)) - centre);
+}
+
+// Whether a pixel's surface goes on to neither side along `axis`: to within a share of a pixel's
+// footprint its neighbours do not lie in its plane, so that no normal can be told.
+bool isAlone(ivec2 pixel, ivec2 axis, float d, float t) {
+    float missBefore = abs(2.0 * rawDepth(pixel - axis) - rawDepth(pixel - 2 * axis) - d);
+    float missAfter = abs(2.0 * rawDepth(pixel + axis) - rawDepth(pixel + 2 * axis) - d);
+    float perQuantum = depthResolution(t);
+    return perQuantum / uDepthQuantum * min(missBefore, missAfter) >
+           kAloneFootprints * pixelFootprint(t) + 4.0 * perQuantum;
 }
 
 struct HostSurface {

@@ -32,7 +32,7 @@ Status GeometryBuffer::update(const BackboneContext& context, const Frame& frame
     }
     if (frame.hostNormals && !withNormals_) {
         auto shader = buildShader(context.gl, "fullscreen.vert", "frame/geometry_buffer.frag",
-                                  "AO_HOST_NORMALS");
+                                  {"AO_HOST_NORMALS"});
         if (!shader) {
             return shader.status();
         }

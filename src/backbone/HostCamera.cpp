@@ -74,20 +74,45 @@ bool HostCamera::reversedDepth() const {
     return p[3][2] * p[2][3] - p[2][2] * p[3][3] < 0.0;
 }
 
-void HostCamera::setUniforms(gl::GLSLShader& shader, const glm::ivec2& size,
-                             const ClipConvention& clip) const {
+HostCamera::DepthRule HostCamera::depthRule(const ClipConvention& clip) const {
     const glm::dmat4& p = projection_;
     const double nearest = clip.zeroToOne ? 0.0 : -1.0;
     const double ndcFar = reversedDepth() ? nearest : 1.0;
-    const double depthFar = clip.depthRange[reversedDepth() ? 0 : 1];
     const double slope = (1.0 - nearest) / (clip.depthRange[1] - clip.depthRange[0]);
+    return {clip.depthRange[reversedDepth() ? 0 : 1],
+            {p[3][2] - ndcFar * p[3][3], -slope * p[3][3], p[2][2] - ndcFar * p[2][3],
+             -slope * p[2][3]}};
+}
+
+HostCamera::Surface HostCamera::surfaceAt(const glm::ivec2& pixel, double depth,
+                                          const glm::ivec2& size,
+                                          const ClipConvention& clip) const {
+    const glm::dmat4& p = projection_;
+    const auto [far, rule] = depthRule(clip);
+    const double e = depth - far;
+    const double denominator = rule[2] + rule[3] * e;
+    const double t = (rule[0] + rule[1] * e) / denominator;
+    const double w = p[3][3] - p[2][3] * t;
+    const double flip = clip.upperLeft ? -1.0 : 1.0;
+    const glm::dvec2 ndc = (glm::dvec2(pixel) + 0.5) / glm::dvec2(size) * 2.0 - 1.0;
+    const glm::dvec3 eye((ndc.x * w + p[2][0] * t - p[3][0]) / p[0][0],
+                         (flip * ndc.y * w + p[2][1] * t - p[3][1]) / p[1][1], -t);
+    const glm::dvec3 viewer = p[2][3] == 0.0 ? glm::dvec3(0.0, 0.0, 1.0) : -glm::normalize(eye);
+    return {eyeToWorld_ * eye, eyeToWorld_ * viewer,
+            std::abs((rule[1] * rule[2] - rule[0] * rule[3]) / (denominator * denominator)) *
+                clip.depthQuantum,
+            std::abs(2.0 * w / p[1][1] / size.y)};
+}
+
+void HostCamera::setUniforms(gl::GLSLShader& shader, const glm::ivec2& size,
+                             const ClipConvention& clip) const {
+    const glm::dmat4& p = projection_;
+    const DepthRule rule = depthRule(clip);
     const double flip = clip.upperLeft ? -1.0 : 1.0;
     shader.set("uViewSize", glm::vec2(size));
-    shader.set("uDepthFar", static_cast<float>(depthFar));
+    shader.set("uDepthFar", static_cast<float>(rule.far));
     shader.set("uDepthQuantum", static_cast<float>(clip.depthQuantum));
-    shader.set("uDepthToLinear",
-               glm::vec4(glm::dvec4(p[3][2] - ndcFar * p[3][3], -slope * p[3][3],
-                                    p[2][2] - ndcFar * p[2][3], -slope * p[2][3])));
+    shader.set("uDepthToLinear", glm::vec4(rule.toLinear));
     shader.set("uClipToEye",
                glm::vec4(glm::dvec4(1.0 / p[0][0], flip / p[1][1], p[2][0], flip * p[2][1])));
     shader.set("uClipOffset", glm::vec4(glm::dvec4(p[3][0], flip * p[3][1], p[3][3], -p[2][3])));

@@ -19,6 +19,8 @@ struct ClipConvention {
     bool upperLeft = false;                     ///< window rows count from the top
     std::array<double, 2> depthRange{0.0, 1.0}; ///< glDepthRange
     double depthQuantum = 1.0 / 16777215.0;     ///< step of the depth buffer's values
+
+    bool operator==(const ClipConvention&) const = default;
 };
 
 /// The host's camera: perspective or orthographic, centred or not, any depth convention.
@@ -37,11 +39,33 @@ public:
 
     /// Whether nearer points have the larger depth values.
     bool reversedDepth() const;
+    /// A surface that the host's depth buffer shows.
+    struct Surface {
+        glm::dvec3 position; ///< relative to the eye, world axes
+        glm::dvec3 viewer;   ///< unit vector towards the viewer, world axes
+        double resolution;   ///< how much its distance may be wrong, world units
+        double footprint;    ///< that a pixel covers there, square on, world units
+    };
+    /// What shaders/frame/host_surface.glsl finds behind a pixel, in double precision.
+    /// @param depth  as the depth buffer has it; not that of the background
+    Surface surfaceAt(const glm::ivec2& pixel, double depth, const glm::ivec2& size,
+                      const ClipConvention& clip) const;
+
+    bool operator==(const HostCamera&) const = default;
+
     /// Sets the uniforms of shaders/frame/host_view.glsl.
     void setUniforms(gl::GLSLShader& shader, const glm::ivec2& size,
                      const ClipConvention& clip) const;
 
 private:
+    /// Values of the depth buffer as distances t along the view axis: with e = depth - far,
+    /// t = (n0 + n1 e) / (d0 + d1 e).
+    struct DepthRule {
+        double far;          ///< value at the far end: nothing was drawn there
+        glm::dvec4 toLinear; ///< n0 n1 d0 d1
+    };
+    DepthRule depthRule(const ClipConvention& clip) const;
+
     glm::dmat4 projection_{1.0};
     glm::dmat3 eyeToWorld_{1.0};
     glm::dvec3 eye_{0.0};

@@ -17,7 +17,8 @@ const EmbeddedShader* find(std::string_view name) {
 } // namespace
 
 Result<gl::GLSLShader> buildShader(const gl::Functions& gl, std::string_view vertex,
-                                   std::string_view fragment, std::string_view define) {
+                                   std::string_view fragment,
+                                   std::initializer_list<std::string_view> defines) {
     const EmbeddedShader* vertexStage = find(vertex);
     const EmbeddedShader* fragmentStage = find(fragment);
     if (vertexStage == nullptr || fragmentStage == nullptr) {
@@ -26,8 +27,12 @@ Result<gl::GLSLShader> buildShader(const gl::Functions& gl, std::string_view ver
                           " was not embedded; name it in src/backbone/CMakeLists.txt");
     }
     std::string text(fragmentStage->text);
-    if (!define.empty()) { // behind the line of the version, whose number stays
-        text.insert(text.find('\n') + 1, "#define " + std::string(define) + "\n#line 2 0\n");
+    if (defines.size() > 0) { // behind the line of the version, whose number stays
+        std::string lines;
+        for (const std::string_view define : defines) {
+            lines += define.empty() ? "" : "#define " + std::string(define) + "\n";
+        }
+        text.insert(text.find('\n') + 1, lines + "#line 2 0\n");
     }
     Result<gl::GLSLShader> built = gl::GLSLShader::build(gl, {vertexStage->name, vertexStage->text},
                                                          {fragmentStage->name, text});

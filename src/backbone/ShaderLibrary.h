@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
 #include <string_view>
 
 #include <aolib/Status.h>
@@ -20,9 +21,10 @@ extern const EmbeddedShader kEmbeddedShaders[];
 extern const std::size_t kEmbeddedShaderCount;
 
 /// Builds a program from two embedded stages, named by their paths.
-/// @param define  a name that the fragment stage finds defined; empty for none.
+/// @param defines  names that the fragment stage finds defined; empty ones are left out.
 /// Errors: ShaderError with the driver's log and the names of the files that it numbers.
 Result<gl::GLSLShader> buildShader(const gl::Functions& gl, std::string_view vertex,
-                                   std::string_view fragment, std::string_view define = {});
+                                   std::string_view fragment,
+                                   std::initializer_list<std::string_view> defines = {});
 
 } // namespace aolib

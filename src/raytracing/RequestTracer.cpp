@@ -29,6 +29,41 @@ Status invalid(const std::string& what) {
     return {StatusCode::InvalidOption, "a request for texels: " + what};
 }
 
+Status checkPlaces(const TexelRequest& request) {
+    if (request.faceSize < 1 || request.faceSize > largestFace) {
+        return invalid("face size is " + std::to_string(request.faceSize) + ", must be 1 to 65536");
+    }
+    if (!within(request.x, request.width, request.faceSize) ||
+        !within(request.y, request.height, request.faceSize)) {
+        return invalid(std::to_string(request.width) + " x " + std::to_string(request.height) +
+                       " texels at (" + std::to_string(request.x) + ", " +
+                       std::to_string(request.y) + ") of a face of " +
+                       std::to_string(request.faceSize));
+    }
+    return {};
+}
+
+bool isFinite(const glm::vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+Status checkSights(const TexelRequest& request) {
+    const auto texels = static_cast<std::size_t>(std::max(request.width, 0)) *
+                        static_cast<std::size_t>(std::max(request.height, 0));
+    if (request.sights.size() != texels) {
+        return invalid(std::to_string(request.width) + " x " + std::to_string(request.height) +
+                       " of them with " + std::to_string(request.sights.size()) +
+                       " lines of sight");
+    }
+    for (const LineOfSight& line : request.sights) {
+        if (!isFinite(line.from) || !isFinite(line.to) || line.from == line.to) {
+            return {StatusCode::InvalidPosition,
+                    "a request for texels: a line of sight that is not finite or has no length"};
+        }
+    }
+    return {};
+}
+
 /// One request on its way.
 class RequestTracer {
 public:
@@ -82,7 +117,7 @@ bool RequestTracer::traceBlock(int column, int row) {
     std::size_t count = 0;
     for (int y = row; y < std::min(row + blockEdge, request.height); ++y) {
         for (int x = column; x < std::min(column + blockEdge, request.width); ++x) {
-            texels[count] = {request.x + x, request.y + y};
+            texels[count] = {x, y};
             places[count++] = static_cast<std::size_t>(y) * std::size_t(request.width) +
                               static_cast<std::size_t>(x);
         }
@@ -96,7 +131,8 @@ bool RequestTracer::traceBlock(int column, int row) {
         result_.normal[places[i]] = glm::vec3(seen[i]->normal);
         const glm::dvec3 lifted = seen[i]->hit.position + seen[i]->hit.clearance * seen[i]->normal;
         group_.add({glm::vec3(scene_.toFrame(lifted)), glm::mat3(basisAbout(seen[i]->normal)),
-                    sequenceSeed(request.face, texels[i].x, texels[i].y), places[i]});
+                    sequenceSeed(request.face, request.x + texels[i].x, request.y + texels[i].y),
+                    places[i]});
         if (group_.full() && !traceGroup()) {
             return false;
         }
@@ -134,23 +170,16 @@ bool RequestTracer::traceGroup() {
 } // namespace
 
 Status checkRequest(const TexelRequest& request) {
-    if (!std::isfinite(request.centre.x) || !std::isfinite(request.centre.y) ||
-        !std::isfinite(request.centre.z)) {
+    if (!isFinite(request.centre)) {
         return {StatusCode::InvalidPosition,
                 "a request for texels: the centre of the cube map is not finite"};
     }
     if (request.face < 0 || request.face > 5) {
         return invalid("face is " + std::to_string(request.face) + ", must be 0 to 5");
     }
-    if (request.faceSize < 1 || request.faceSize > largestFace) {
-        return invalid("face size is " + std::to_string(request.faceSize) + ", must be 1 to 65536");
-    }
-    if (!within(request.x, request.width, request.faceSize) ||
-        !within(request.y, request.height, request.faceSize)) {
-        return invalid(std::to_string(request.width) + " x " + std::to_string(request.height) +
-                       " texels at (" + std::to_string(request.x) + ", " +
-                       std::to_string(request.y) + ") of a face of " +
-                       std::to_string(request.faceSize));
+    const Status places = request.sights.empty() ? checkPlaces(request) : checkSights(request);
+    if (!places) {
+        return places;
     }
     if (request.height > mostTexels / request.width) {
         return invalid(std::to_string(request.width) + " x " + std::to_string(request.height) +

@@ -18,36 +18,46 @@ constexpr double leastSlope = 1e-3;
 } // namespace
 
 SurfaceFinder::SurfaceFinder(const RayScene& scene, const TexelRequest& request)
-    : scene_(scene), centre_(request.centre), nearest_(scene.resolution(centre_, glm::dvec3(1.0))),
-      faceSize_(request.faceSize), forward_(shared::faceForward(request.face)),
-      right_(shared::faceRight(request.face)), up_(shared::faceUp(request.face)) {}
+    : scene_(scene), request_(request), centre_(request.centre),
+      nearest_(scene.resolution(centre_, glm::dvec3(1.0))),
+      forward_(shared::faceForward(request.face)), right_(shared::faceRight(request.face)),
+      up_(shared::faceUp(request.face)) {}
 
-glm::dvec3 SurfaceFinder::direction(const Texel& texel) const {
-    const double u = (2.0 * texel.x + 1.0) / faceSize_ - 1.0;
-    const double v = (2.0 * texel.y + 1.0) / faceSize_ - 1.0;
-    return glm::normalize(forward_ + u * right_ + v * up_);
+SurfaceFinder::Ray SurfaceFinder::ray(const Texel& texel) const {
+    if (!request_.sights.empty()) {
+        const LineOfSight& line = request_.sights[static_cast<std::size_t>(texel.y) *
+                                                      static_cast<std::size_t>(request_.width) +
+                                                  static_cast<std::size_t>(texel.x)];
+        const glm::dvec3 along = glm::dvec3(line.to) - glm::dvec3(line.from);
+        const double length = glm::length(along);
+        return {centre_ + glm::dvec3(line.from), along / length, 0.0, length};
+    }
+    const double u = (2.0 * (request_.x + texel.x) + 1.0) / request_.faceSize - 1.0;
+    const double v = (2.0 * (request_.y + texel.y) + 1.0) / request_.faceSize - 1.0;
+    return {centre_, glm::normalize(forward_ + u * right_ + v * up_), nearest_,
+            std::numeric_limits<double>::infinity()};
 }
 
 /// Barycentrics are off by a rounding of the triangle's size, which may be that of the scene. In
 /// its plane, which is exact, the ray says where the point is, unless it runs along the plane.
-SurfaceFinder::Seen SurfaceFinder::seen(const Hit& hit, const glm::dvec3& direction) const {
-    const double slope = glm::dot(hit.normal, direction);
+SurfaceFinder::Seen SurfaceFinder::seen(const Hit& hit, const Ray& ray) {
+    const double slope = glm::dot(hit.normal, ray.direction);
     Seen result{hit, slope > 0.0 ? -hit.normal : hit.normal};
     if (std::abs(slope) > leastSlope) {
-        result.hit.distance = glm::dot(hit.position - centre_, hit.normal) / slope;
-        result.hit.position = centre_ + result.hit.distance * direction;
+        result.hit.distance = glm::dot(hit.position - ray.origin, hit.normal) / slope;
+        result.hit.position = ray.origin + result.hit.distance * ray.direction;
     }
     return result;
 }
 
 SurfaceFinder::SeenList SurfaceFinder::find(std::span<const Texel> texels) const {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    std::array<glm::dvec3, packet> directions;
+    std::array<Ray, packet> sights;
     alignas(64) int valid[packet] = {};
     RTCRayHit16 rays{};
     for (std::size_t i = 0; i < texels.size(); ++i) {
-        directions[i] = direction(texels[i]);
-        const FrameRay ray = scene_.frameRay(centre_, directions[i], nearest_, infinity);
+        sights[i] = ray(texels[i]);
+        const FrameRay ray = scene_.frameRay(sights[i].origin, sights[i].direction,
+                                             sights[i].nearest, sights[i].farthest);
         valid[i] = ray.empty ? 0 : -1;
         rays.ray.org_x[i] = ray.origin.x;
         rays.ray.org_y[i] = ray.origin.y;
@@ -65,9 +75,9 @@ SurfaceFinder::SeenList SurfaceFinder::find(std::span<const Texel> texels) const
         if (valid[i] == 0 || rays.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) {
             continue;
         }
-        const Hit hit = scene_.rebuilt({rays.hit.primID[i], rays.hit.u[i], rays.hit.v[i]}, centre_,
-                                       directions[i]);
-        list[i] = seen(hit, directions[i]);
+        const Hit hit = scene_.rebuilt({rays.hit.primID[i], rays.hit.u[i], rays.hit.v[i]},
+                                       sights[i].origin, sights[i].direction);
+        list[i] = seen(hit, sights[i]);
     }
     return list;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <string>
 
 #include <glm/geometric.hpp>
@@ -48,6 +49,7 @@ BackboneCubemapped::create(const BackboneContext& context) {
     then(backbone->projection_);
     then(backbone->survey_);
     then(backbone->sight_);
+    then(backbone->repair_);
     then(backbone->outlines_);
     if (status && context.options.estimator != Estimator::RayTraced) {
         status = backbone->source().status(); // fails here rather than in a frame
@@ -71,9 +73,9 @@ Result<AbstractTexelSource*> BackboneCubemapped::source() {
                           "renderer draws");
         }
         if (!traced_) {
-            traced_ =
-                std::make_unique<RayTracedTexels>(context_, store_, details_, *context_.tracer);
-            traced_->sceneChanged();
+            tracerQueue_ = std::make_unique<TracerQueue>(*context_.tracer);
+            tracerQueue_->setScene(context_.scene);
+            traced_ = std::make_unique<RayTracedTexels>(context_, store_, details_, *tracerQueue_);
             traced_->setRadius(radius());
         }
         return static_cast<AbstractTexelSource*>(traced_.get());
@@ -167,6 +169,8 @@ void BackboneCubemapped::forget(CubeMapId id) {
 
 void BackboneCubemapped::dropTracer() {
     traced_.reset();
+    tracerQueue_.reset();
+    repair_->restart();
     if (context_.options.estimator == Estimator::RayTraced) {
         markAllDirty();
     }
@@ -181,6 +185,7 @@ std::vector<std::unique_ptr<CubeMapProjector>>::iterator BackboneCubemapped::fin
 
 void BackboneCubemapped::cubeMapsChanged() {
     survey_->restart();
+    repair_->lookAgain();
     latestSurvey_.reset();
 }
 
@@ -198,6 +203,7 @@ void BackboneCubemapped::optionsChanged(const Options& before) {
     }
     if (!sameEstimate(before, context_.options)) { // the radius is watched where it is used
         markAllDirty();
+        repair_->restart();
     }
 }
 
@@ -227,7 +233,9 @@ Status BackboneCubemapped::followScene() {
         return status;
     }
     if (traced_ && !changes.empty()) {
+        tracerQueue_->setScene(context_.scene);
         traced_->sceneChanged();
+        repair_->restart();
     }
     const float reach = radius();
     if (traced_) {
@@ -264,7 +272,7 @@ Status BackboneCubemapped::placeWhereDue(const Frame& frame) {
         positions.push_back(projector->position());
     }
     std::optional<float> coverage;
-    if (latestSurvey_ && converged_) { // one that is on its way may cover what is missing
+    if (latestSurvey_ && texelsComplete_) { // one that is on its way may cover what is missing
         coverage = latestSurvey_->shaded;
     }
     if (!Placement::due(coverage, options.coverage, frame.position, positions,
@@ -322,6 +330,7 @@ Status BackboneCubemapped::compute(const std::vector<CubeMapProjector*>& project
         if (begins) {
             projector->outdated = false;
             forget(projector->id());
+            repair_->lookAgain();
             projector->dropDetails(store_, details_);
             projector->buildMs = 0.0;
             projector->tiles.restart();
@@ -385,16 +394,41 @@ Status BackboneCubemapped::prepare(const Frame& frame) {
     if (!texels) {
         return texels.status();
     }
-    converged_ = true;
+    texelsComplete_ = true;
     for (CubeMapProjector* projector : used) {
         // One that no survey has looked at yet has not begun.
-        converged_ = converged_ && projector->shown && projector->bias >= 0.0F &&
-                     !(*texels)->lacks(*projector);
+        texelsComplete_ = texelsComplete_ && projector->shown && projector->bias >= 0.0F &&
+                          !(*texels)->lacks(*projector);
         if (projector->shown) {
             projected_.push_back(projector);
         }
     }
-    return {};
+    return repair(frame);
+}
+
+Status BackboneCubemapped::repair(const Frame& frame) {
+    repair_->follow(frame);
+    if (!context_.options.rayTraced.repair || !tracerQueue_ ||
+        context_.options.estimator != Estimator::RayTraced || projected_.empty()) {
+        repair_->restart();
+        converged_ = texelsComplete_;
+        return {};
+    }
+    if (!repair_->tracing()) {
+        tracerQueue_->drop(TracerQueue::Asker::Pixels); // the view has moved
+    }
+    Status status;
+    if (texelsComplete_ && repair_->rests() && !repair_->done()) {
+        const double budget = atOnce() ? HUGE_VAL : double{context_.options.frameBudget};
+        status = repair_->advance(context_, frame, host_, {store_, details_}, projected_,
+                                  *tracerQueue_, radius(), budget);
+    }
+    converged_ = texelsComplete_ && repair_->done();
+    return status;
+}
+
+KeptTexels BackboneCubemapped::kept() const {
+    return {store_, details_, repair_->repaired()};
 }
 
 bool BackboneCubemapped::shadesDirectly() const {
@@ -408,12 +442,12 @@ bool BackboneCubemapped::noisy() const {
 
 void BackboneCubemapped::shadeDirectly(const Frame& frame) {
     if (!projected_.empty()) {
-        projection_->shade(context_, frame, host_, {store_, details_}, projected_);
+        projection_->shade(context_, frame, host_, kept(), projected_);
     }
 }
 
 Result<const gl::RenderToTexture2D*> BackboneCubemapped::computeVisibility(const Frame& frame) {
-    return projection_->apply(context_, frame, host_, {store_, details_}, projected_);
+    return projection_->apply(context_, frame, host_, kept(), projected_);
 }
 
 Status BackboneCubemapped::finishFrame(const Frame& frame) {
@@ -430,6 +464,7 @@ void BackboneCubemapped::addStatistics(Statistics& statistics) {
     statistics.cubeMapsProjected = static_cast<int>(projected_.size());
     statistics.cubeMapsBuilt = builtInFrame_;
     statistics.converged = converged_;
+    statistics.pixelsTraced = repair_->pixels();
     TileProgress::Share sum;
     for (const CubeMapProjector* projector : projected_) {
         const TileProgress::Share share = projector->tiles.share(passes_);
@@ -439,7 +474,7 @@ void BackboneCubemapped::addStatistics(Statistics& statistics) {
     statistics.computed = sum.needed > 0
                               ? static_cast<float>(sum.done) / static_cast<float>(sum.needed)
                               : statistics.computed;
-    statistics.bytesFrame += projection_->bytes();
+    statistics.bytesFrame += projection_->bytes() + repair_->bytes();
     statistics.bytesScene = sceneGeometry_.bytes();
     statistics.bytesKept = store_.bytes() + details_.bytes();
     statistics.bytesBuilding = raster_ ? raster_->bytes() : 0;

@@ -12,6 +12,7 @@
 #include "backbone/cubemapped/RayTracedTexels.h"
 #include "backbone/cubemapped/SightTest.h"
 #include "backbone/cubemapped/Survey.h"
+#include "backbone/cubemapped/ViewRepair.h"
 
 namespace aolib {
 
@@ -62,6 +63,9 @@ private:
     void heedSurvey(const std::vector<CubeMapProjector*>& projectors);
     /// Computes what the frame's cube maps lack: all of it, or as much as the budget allows.
     Status compute(const std::vector<CubeMapProjector*>& projectors);
+    /// Traces the pixels of a view at rest that complete cube maps do not tell.
+    Status repair(const Frame& frame);
+    KeptTexels kept() const;
     /// Lets cube maps that are complete come in over a few frames.
     void bringIn(const std::vector<CubeMapProjector*>& projectors);
     bool atOnce() const { return context_.options.frameBudget <= 0.0F; }
@@ -73,7 +77,9 @@ private:
     FaceStore store_;
     DetailStore details_;
     std::unique_ptr<AbstractTexelSource> raster_;
+    std::unique_ptr<TracerQueue> tracerQueue_;
     std::unique_ptr<RayTracedTexels> traced_;
+    std::optional<ViewRepair> repair_;
     int passes_ = 1; ///< of the source in use
     std::optional<Projection> projection_;
     std::optional<Survey> survey_;
@@ -89,7 +95,8 @@ private:
     std::uint64_t framesSurveyed_ = 0;
     std::vector<CubeMapProjector*> projected_; ///< in the latest frame
     int builtInFrame_ = 0;
-    bool converged_ = true;
+    bool texelsComplete_ = true; ///< of the cube maps in use, as far as views ask for them
+    bool converged_ = true;      ///< and nothing is left to repair
 };
 
 } // namespace aolib

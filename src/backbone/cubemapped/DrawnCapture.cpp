@@ -49,7 +49,7 @@ Status DrawnCapture::Shaders::build(const BackboneContext& context, bool asInter
         return {};
     }
     auto built = buildShader(context.gl, "fullscreen.vert", "cubemap/drawn_face.frag",
-                             asIntervals ? "AO_INTERVALS" : "");
+                             {asIntervals ? "AO_INTERVALS" : ""});
     if (built) {
         wanted = std::move(*built);
     }

@@ -17,8 +17,10 @@ constexpr int kPagesUnit = 3;
 constexpr int kDetailVisibilityUnit = 4;
 constexpr int kDetailDepthUnit = 5;
 constexpr int kBestUnit = 6;
-/// Defined in the shaders that look at detail, too.
+constexpr int kRepairedUnit = 7;
+/// Defined in the shaders that look at detail and at repaired pixels, too.
 constexpr const char* kDetail = "AO_DETAIL";
+constexpr const char* kRepaired = "AO_REPAIRED";
 
 /// Two faces' layers as one number, as shaders/cubemap/projection.glsl takes them apart.
 int pairOfLayers(const CubeMapProjector& projector, int face) {
@@ -32,20 +34,27 @@ int pairOfLayers(const CubeMapProjector& projector, int face) {
 
 Result<Projection> Projection::create(const BackboneContext& context) {
     Projection projection;
-    for (std::size_t detail = 0; detail < 2; ++detail) {
-        const char* define = detail == 1 ? kDetail : "";
-        auto project = buildShader(context.gl, "fullscreen.vert", "cubemap/project.frag", define);
+    for (std::size_t variant = 0; variant < projection.shade_.size(); ++variant) {
+        const char* detail = variant % 2 == 1 ? kDetail : "";
+        const char* repaired = variant / 2 == 1 ? kRepaired : "";
+        auto project =
+            buildShader(context.gl, "fullscreen.vert", "cubemap/project.frag", {detail, repaired});
         if (!project) {
             return project.status();
         }
-        auto shade = buildShader(context.gl, "fullscreen.vert", "cubemap/shade.frag", define);
+        auto shade =
+            buildShader(context.gl, "fullscreen.vert", "cubemap/shade.frag", {detail, repaired});
         if (!shade) {
             return shade.status();
         }
-        projection.project_[detail] = std::move(*project);
-        projection.shade_[detail] = std::move(*shade);
+        projection.project_[variant] = std::move(*project);
+        projection.shade_[variant] = std::move(*shade);
     }
     return projection;
+}
+
+gl::GLSLShader& Projection::variant(Variants& shaders, const KeptTexels& kept) {
+    return shaders[(kept.details.empty() ? 0U : 1U) + (kept.repaired == nullptr ? 0U : 2U)];
 }
 
 void Projection::bind(gl::GLSLShader& shader, const Frame& frame, const HostFramebuffer& host,
@@ -60,6 +69,10 @@ void Projection::bind(gl::GLSLShader& shader, const Frame& frame, const HostFram
     shader.set("uCubeDepth", kCubeDepthUnit);
     shader.set("uPages", kPagesUnit);
     kept.details.bind(shader, kDetailVisibilityUnit, kDetailDepthUnit);
+    shader.set("uRepaired", kRepairedUnit);
+    if (kept.repaired != nullptr) {
+        kept.repaired->bind(kRepairedUnit);
+    }
     if (kept.faces.empty() || projectors.empty()) {
         return;
     }
@@ -84,7 +97,7 @@ void Projection::shade(const BackboneContext& context, const Frame& frame,
                        const HostFramebuffer& host, const KeptTexels& kept,
                        const std::vector<CubeMapProjector*>& projectors) {
     const gl::DebugGroup group(context.gl, "aolib: project and blend");
-    gl::GLSLShader& shader = shade_[kept.details.empty() ? 0 : 1];
+    gl::GLSLShader& shader = variant(shade_, kept);
     bind(shader, frame, host, kept, projectors);
     shader.set("uOrigin", frame.origin);
     shader.set("uContrast", context.options.contrast);
@@ -124,7 +137,7 @@ Projection::apply(const BackboneContext& context, const Frame& frame, const Host
             break;
         }
     }
-    gl::GLSLShader& shader = project_[kept.details.empty() ? 0 : 1];
+    gl::GLSLShader& shader = variant(project_, kept);
     bind(shader, frame, host, kept, projectors);
     shader.set("uBest", kBestUnit);
     const gl::RenderToTexture2D* best = nullptr;

@@ -9,10 +9,11 @@
 
 namespace aolib {
 
-/// What all cube maps keep.
+/// What all cube maps keep, and what was traced for the view.
 struct KeptTexels {
     const FaceStore& faces;
     const DetailStore& details;
+    const gl::TextureStack* repaired = nullptr; ///< ViewRepair's, of the view at rest
 };
 
 /// Projects cube maps onto the host's view (thesis 4.4): best quality wins, close calls are
@@ -23,7 +24,7 @@ public:
     static Result<Projection> create(const BackboneContext& context);
 
     /// Sets what shaders/cubemap/projection.glsl and shaders/frame/host_surface.glsl read, on units
-    /// 0 to 5.
+    /// 0 to 7.
     static void bind(gl::GLSLShader& shader, const Frame& frame, const HostFramebuffer& host,
                      const KeptTexels& kept, const std::vector<CubeMapProjector*>& projectors);
 
@@ -43,9 +44,12 @@ private:
     Status prepare(const BackboneContext& context, const Frame& frame,
                    gl::RenderToTexture2D& target);
 
-    /// Without and with detail.
-    std::array<gl::GLSLShader, 2> project_;
-    std::array<gl::GLSLShader, 2> shade_;
+    /// Without and with detail, without and with repaired pixels.
+    using Variants = std::array<gl::GLSLShader, 4>;
+    static gl::GLSLShader& variant(Variants& shaders, const KeptTexels& kept);
+
+    Variants project_;
+    Variants shade_;
     std::array<gl::RenderToTexture2D, 2> best_;
 };
 

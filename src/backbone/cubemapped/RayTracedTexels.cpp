@@ -112,21 +112,8 @@ int RayTracedTexels::passes() const {
 }
 
 void RayTracedTexels::sceneChanged() {
-    std::vector<glm::vec3> positions;
-    std::vector<std::uint32_t> indices;
-    for (const auto& [id, mesh] : context_.scene.meshes()) {
-        const auto first = static_cast<std::uint32_t>(positions.size());
-        const glm::dmat4 transform(mesh.transform);
-        for (const glm::vec3& position : mesh.positions) {
-            positions.emplace_back(glm::dvec3(transform * glm::dvec4(position, 1.0)));
-        }
-        for (const std::uint32_t index : mesh.indices) {
-            indices.push_back(first + index);
-        }
-    }
-    tracer_.setScene(std::move(positions), std::move(indices));
     for (auto& [id, work] : works_) {
-        work.generation = nextGeneration(); // what was queued is lost
+        work.generation = nextGeneration();
     }
     askedBefore_ = 0;
 }
@@ -154,7 +141,7 @@ Status RayTracedTexels::complete(CubeMapProjector& projector) {
     const std::vector<CubeMapProjector*> one{&projector};
     while (lacks(projector)) {
         request(one);
-        tracer_.wait(1000.0);
+        queue_.wait(1000.0);
         if (Status status = takeResults(one, HUGE_VAL); !status) {
             return status;
         }
@@ -202,7 +189,7 @@ void RayTracedTexels::request(const std::vector<CubeMapProjector*>& projectors) 
     }
     // What a worker has begun would be begun again: the queue is only exchanged when it runs low or
     // something new is asked for.
-    const bool low = tracer_.pending() <= queued_ / 4;
+    const bool low = queue_.pending(TracerQueue::Asker::Texels) <= queued_ / 4;
     if (wanted.empty() || (asked == askedBefore_ && !low)) {
         return;
     }
@@ -230,17 +217,18 @@ void RayTracedTexels::request(const std::vector<CubeMapProjector*>& projectors) 
                          .firstRay = before,
                          .rays = raysAfter(one.passes + 1) - before,
                          .radius = radius_,
-                         .falloff = context_.options.falloff});
+                         .falloff = context_.options.falloff,
+                         .sights = {}});
     }
     queued_ = queue.size();
-    tracer_.request(std::move(queue));
+    queue_.request(TracerQueue::Asker::Texels, std::move(queue));
 }
 
 Status RayTracedTexels::takeResults(const std::vector<CubeMapProjector*>& projectors,
                                     double milliseconds) {
     const auto start = std::chrono::steady_clock::now();
-    for (auto results = tracer_.take(kAtATime); !results.empty();
-         results = tracer_.take(kAtATime)) {
+    for (auto results = queue_.take(TracerQueue::Asker::Texels, kAtATime); !results.empty();
+         results = queue_.take(TracerQueue::Asker::Texels, kAtATime)) {
         for (const TracedTexels& traced : results) {
             const Key key = Key::unpacked(traced.request.key);
             const auto found =
@@ -263,7 +251,7 @@ Status RayTracedTexels::takeResults(const std::vector<CubeMapProjector*>& projec
             break;
         }
     }
-    return tracer_.status();
+    return queue_.status();
 }
 
 bool RayTracedTexels::add(Tile& sums, const TracedTexels& traced) {

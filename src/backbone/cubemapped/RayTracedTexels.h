@@ -4,9 +4,8 @@
 #include <map>
 #include <vector>
 
-#include <aolib/AbstractTexelTracer.h>
-
 #include "backbone/cubemapped/AbstractTexelSource.h"
+#include "backbone/cubemapped/TracerQueue.h"
 
 namespace aolib {
 
@@ -15,10 +14,10 @@ namespace aolib {
 class RayTracedTexels final : public AbstractTexelSource {
 public:
     RayTracedTexels(const BackboneContext& context, FaceStore& store, DetailStore& details,
-                    AbstractTexelTracer& tracer)
-        : context_(context), store_(store), details_(details), tracer_(tracer) {}
+                    TracerQueue& queue)
+        : context_(context), store_(store), details_(details), queue_(queue) {}
 
-    /// Gives the tracer the scene as it is now.
+    /// What was queued is lost: the tracer has another scene.
     void sceneChanged();
     /// The reach of occluders from now on, world units.
     void setRadius(float radius) { radius_ = radius; }
@@ -66,7 +65,7 @@ private:
     const BackboneContext context_;
     FaceStore& store_;
     DetailStore& details_;
-    AbstractTexelTracer& tracer_;
+    TracerQueue& queue_;
     float radius_ = 1.0F;
     std::map<CubeMapId, Work> works_;
     std::uint32_t generations_ = 0;

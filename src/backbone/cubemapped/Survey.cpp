@@ -11,7 +11,7 @@
 namespace aolib {
 
 Result<Survey> Survey::create(const BackboneContext& context) {
-    auto shader = buildShader(context.gl, "fullscreen.vert", "cubemap/survey.frag", "AO_DETAIL");
+    auto shader = buildShader(context.gl, "fullscreen.vert", "cubemap/survey.frag", {"AO_DETAIL"});
     if (!shader) {
         return shader.status();
     }

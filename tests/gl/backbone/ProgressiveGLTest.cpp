@@ -206,7 +206,7 @@ TEST_P(ProgressiveGLTest, OnlyWhatAViewShowsIsComputed) {
 
 TEST_P(ProgressiveGLTest, ANewCubeMapComesInWithoutAStep) {
     Options o = options(Estimator::RayTraced);
-    o.rayTraced.rays = 64;
+    o.rayTraced = {.rays = 64, .repair = false};
     SmallHost host = hostWith(o);
     ASSERT_TRUE(host.ao().addCubeMap({-3, 4, 3}).ok());
     ASSERT_GT(converge(host), 0);
@@ -273,6 +273,92 @@ TEST_P(ProgressiveGLTest, TracedTexelsFollowTheScene) {
     ASSERT_TRUE(host.ao().removeMesh(*id).ok());
     ASSERT_GT(converge(host), 0);
     EXPECT_EQ(host.visibilityAt({0, 0, 1.3F}), 1.0F);
+}
+
+/// A fence: bars that are narrower than a texel and at times than a pixel.
+Model fence() {
+    Model model;
+    addQuad(model, {-8, 0, -8}, {-8, 0, 8}, {8, 0, 8}, {8, 0, -8});
+    for (int i = 0; i < 40; ++i) {
+        const float x = -4.0F + 0.2F * static_cast<float>(i);
+        addBox(model, {x, 0, -0.02F}, {x + 0.05F, 1.5F, 0.02F});
+    }
+    return model;
+}
+
+TEST_P(ProgressiveGLTest, RepairLastsUntilTheViewMovesAndComesBack) {
+    Options o = options(Estimator::RayTraced);
+    o.frameBudget = 0.0F;
+    SmallHost host = hostWith(o, fence());
+    ASSERT_TRUE(host.ao().addCubeMap({0.5F, 3, 5}).ok());
+    ASSERT_GT(converge(host), 0);
+    host.lookAt({0.6F, 3, 5}, {0, 0.5F, 0});
+    ASSERT_GT(converge(host), 0); // what both views ask of the cube map is there
+    host.lookAt({0.5F, 3, 5}, {0, 0.5F, 0});
+    ASSERT_TRUE(host.frame().ok());
+    EXPECT_FALSE(host.ao().statistics().converged) << "a view that was seen once may be moving";
+    const Picture moving = host.visibility().visibility;
+    ASSERT_TRUE(host.frame().ok());
+    EXPECT_TRUE(host.ao().statistics().converged);
+    const Picture resting = host.visibility().visibility;
+    EXPECT_GT(largestChange(moving, resting), 0.05);
+    host.lookAt({0.6F, 3, 5}, {0, 0.5F, 0});
+    ASSERT_TRUE(host.frame().ok());
+    EXPECT_EQ(host.ao().statistics().pixelsTraced, 0U);
+    host.lookAt({0.5F, 3, 5}, {0, 0.5F, 0});
+    ASSERT_TRUE(host.frame().ok());
+    EXPECT_EQ(host.visibility().visibility, moving);
+    ASSERT_TRUE(host.frame().ok());
+    EXPECT_EQ(host.visibility().visibility, resting);
+}
+
+TEST_P(ProgressiveGLTest, RepairStaysWhenCubeMapsComeAndGo) {
+    SmallHost host = hostWith(options(Estimator::RayTraced), fence());
+    const CubeMapId first = *host.ao().addCubeMap({0.5F, 3, 5});
+    ASSERT_GT(converge(host), 0);
+    const Picture before = host.visibility().visibility;
+    ASSERT_TRUE(host.ao().addCubeMap({-2, 2, 4}).ok());
+    ASSERT_TRUE(host.frame().ok());
+    EXPECT_EQ(host.visibility().visibility, before) << "it is not shown yet";
+    EXPECT_FALSE(host.ao().statistics().converged);
+    ASSERT_GT(converge(host), 0);
+    EXPECT_LT(rmse(host.visibility().visibility, before), 0.01);
+    ASSERT_TRUE(host.ao().removeCubeMap(first).ok());
+    ASSERT_GT(converge(host), 0);
+    EXPECT_LT(rmse(host.visibility().visibility, before), 0.02)
+        << "what only the first knew is traced";
+}
+
+/// What the host draws without describing it hides what was traced for its pixels, and is not
+/// traced itself.
+TEST_P(ProgressiveGLTest, RepairHoldsForTheDepthThatItWasTracedFor) {
+    Options o = options(Estimator::RayTraced);
+    o.frameBudget = 0.0F;
+    SmallHost host = hostWith(o, fence());
+    ASSERT_TRUE(host.ao().addCubeMap({0.5F, 3, 5}).ok());
+    ASSERT_GT(converge(host), 0);
+    const Picture before = host.visibility().visibility;
+    Model intruder = fence();
+    addBox(intruder, {-8, 0.1F, 1}, {8, 0.6F, 2});
+    auto other = host::HostRenderer::create(gl, intruder);
+    ASSERT_TRUE(other.ok());
+    std::swap(host.renderer(), *other);
+    ASSERT_TRUE(host.frame().ok());
+    const Picture during = host.visibility().visibility;
+    std::swap(host.renderer(), *other);
+    ASSERT_TRUE(host.frame().ok());
+    EXPECT_EQ(host.visibility().visibility, before) << "the pixels are what they were";
+    EXPECT_GT(largestChange(during, before), 0.1);
+    o.rayTraced.repair = false;
+    ASSERT_TRUE(host.ao().setOptions(o).ok());
+    std::swap(host.renderer(), *other);
+    ASSERT_TRUE(host.frame().ok());
+    const Picture plain = host.visibility().visibility;
+    std::size_t own = 0; // pixels of the intruder, as wherever nothing was traced
+    for (std::size_t i = 0; i < plain.size(); ++i) {
+        own += during[i] == plain[i] ? 1U : 0U;
+    }
+    EXPECT_GT(own, plain.size() / 2);
 }
 
 TEST_P(ProgressiveGLTest, WithoutATracerTheFrameSaysSo) {

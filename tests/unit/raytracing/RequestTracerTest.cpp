@@ -290,6 +290,30 @@ TEST(RequestTracer, SameRequestSameResult) {
     EXPECT_EQ(traced(scene, request).visibility, traced(scene, request).visibility);
 }
 
+/// A line of sight towards what a texel sees finds the same surface, by the same rays.
+TEST(RequestTracer, LinesOfSightFindWhatLiesBetweenTheirEnds) {
+    const RayScene scene = sceneOf(clutter());
+    const TexelRequest request = faceRequest({2.0, 1.2, -0.4}, 5, 256, Falloff::Step, 1.5);
+    const TracedTexels texels = traced(scene, request);
+    TexelRequest sighted = request;
+    TexelRequest tooShort = request;
+    for (int i = 0; i < 64; ++i) {
+        const glm::vec3 along(directionOf(5, 8, i % 8, i / 8));
+        const float distance = texels.distance[static_cast<std::size_t>(i)];
+        const float reach = distance < 0.0F ? 100.0F : distance;
+        sighted.sights.push_back({0.9F * reach * along, 1.1F * reach * along});
+        tooShort.sights.push_back({0.2F * reach * along, 0.99F * reach * along});
+    }
+    const TracedTexels seen = traced(scene, sighted);
+    forEachSeen(texels, [&](std::size_t i, const glm::dvec3&) {
+        EXPECT_NEAR(seen.distance[i], 0.1F * texels.distance[i], 1e-4F * texels.distance[i]);
+        EXPECT_EQ(seen.normal[i], texels.normal[i]);
+        EXPECT_NEAR(seen.visibility[i], texels.visibility[i], 2.1F / 256.0F);
+    });
+    EXPECT_EQ(seenCount(seen), seenCount(texels));
+    EXPECT_EQ(seenCount(traced(scene, tooShort)), 0U);
+}
+
 TEST(RequestTracer, StopsWithinFourThousandRays) {
     const RayScene scene = sceneOf(clutter());
     const TexelRequest request = faceRequest({2.0, 1.2, -0.4}, 3, 1024, Falloff::Step, 1.0, 16);
@@ -333,6 +357,13 @@ TEST(RequestTracer, RequestsOutOfRangeAreRefused) {
     EXPECT_EQ(refused([](auto& r) { r.firstRay = -16; }), invalid);
     EXPECT_EQ(refused([=](auto& r) { r.firstRay = 1, r.rays = huge; }), invalid);
     EXPECT_EQ(refused([](auto& r) { r.radius = 0.0F; }), invalid);
+    const std::vector<LineOfSight> sights(64, LineOfSight{{0, 0, 0}, {0, 0, 1}});
+    EXPECT_EQ(refused([&](auto& r) { r.sights = sights, r.x = r.y = 9000; }), StatusCode::Ok);
+    EXPECT_EQ(refused([&](auto& r) { r.sights = sights, r.height = 7; }), invalid);
+    EXPECT_EQ(refused([&](auto& r) { r.sights = sights, r.sights[9].to.z = 0.0F; }),
+              StatusCode::InvalidPosition);
+    EXPECT_EQ(refused([&](auto& r) { r.sights = sights, r.sights[9].to.z = nan; }),
+              StatusCode::InvalidPosition);
     EXPECT_EQ(refused([&](auto& r) { r.radius = nan; }), invalid);
     EXPECT_EQ(refused([](auto& r) { r.radius = 0.0F, r.falloff = Falloff::None; }), StatusCode::Ok);
 }

@@ -95,13 +95,13 @@ struct Options {
     float radius = 0.0F; ///< world units; 0 derives 10% of the diagonal of the scene's bounding box
     Falloff falloff = Falloff::Step;
     float contrast = 1.0F; ///< alpha of thesis eq. 4.11, i = i_s ((1 - a) + a W); 0 to 1
-    HorizonSplitOptions horizonSplit;
-    LayeredIntervalsOptions layeredIntervals;
-    RayTracedOptions rayTraced;
+    HorizonSplitOptions horizonSplit{};
+    LayeredIntervalsOptions layeredIntervals{};
+    RayTracedOptions rayTraced{};
     /// Milliseconds that computing cube maps may take in a frame; 0 computes a cube map at once.
     float frameBudget = 0.0F;
-    CubeMapOptions cubeMaps;
-    BlurOptions blur;
+    CubeMapOptions cubeMaps{};
+    BlurOptions blur{};
     DebugView debugView = DebugView::None;
 };
 

@@ -2,6 +2,8 @@
 #
 #   cmake -DSHADER_DIR=<dir> -DSTAGES=<a.vert,b.frag,...> -DOUTPUT=<file.cpp> -P EmbedShaders.cmake
 #
+# The array k<TYPE>s, of structs <TYPE> as -DHEADER declares both, is EmbeddedShader's if not said.
+#
 # `#include "path"` is relative to SHADER_DIR; a file is included once per stage. `#line` gives the
 # compiler's messages the line and the number of the file; the table of names is embedded beside.
 
@@ -42,14 +44,18 @@ function(resolve path)
     set(files "${files}" PARENT_SCOPE)
 endfunction()
 
+if(NOT TYPE)
+    set(TYPE EmbeddedShader)
+    set(HEADER backbone/ShaderLibrary.h)
+endif()
 string(REPLACE "," ";" STAGES "${STAGES}")
-set(content "// Made by cmake/EmbedShaders.cmake from shaders/.\n#include \"backbone/ShaderLibrary.h\"\n\n#include <iterator>\n\n")
-string(APPEND content "namespace aolib {\n\nconst EmbeddedShader kEmbeddedShaders[] = {\n")
+set(content "// Made by cmake/EmbedShaders.cmake from shaders/.\n#include \"${HEADER}\"\n\n#include <iterator>\n\n")
+string(APPEND content "namespace aolib {\n\nconst ${TYPE} k${TYPE}s[] = {\n")
 foreach(stage IN LISTS STAGES)
     set(files "")
     resolve(${stage})
     string(REPLACE ";" " " names "${files}")
     string(APPEND content "{\"${stage}\", \"${names}\", R\"GLSL(${resolved})GLSL\"},\n")
 endforeach()
-string(APPEND content "};\n\nconst std::size_t kEmbeddedShaderCount = std::size(kEmbeddedShaders);\n\n} // namespace aolib\n")
+string(APPEND content "};\n\nconst std::size_t k${TYPE}Count = std::size(k${TYPE}s);\n\n} // namespace aolib\n")
 file(WRITE "${OUTPUT}" "${content}")

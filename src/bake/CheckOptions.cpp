@@ -37,6 +37,23 @@ Status check(const RayOptions& options) {
         .status();
 }
 
+Status check(const ScatterOptions& options) {
+    return Check()
+        .within("directions", options.directions, 1, 1 << 20)
+        .within("rasterSize", options.rasterSize, options.rasterSize == 0 ? 0 : 64, 16384)
+        .within("pointSize", options.pointSize, 0.0F, 16.0F)
+        .status();
+}
+
+Status check(const ShadowOptions& options) {
+    return Check()
+        .within("directions", options.directions, 1, 1 << 20)
+        .within("depthSize", options.depthSize, 64, 8192)
+        .within("mapsPerPass", options.mapsPerPass, 1, 16)
+        .within("bias", options.bias, 0.0F, 16.0F)
+        .status();
+}
+
 Status check(const MapOptions& options) {
     return Check()
         .within("width", options.width, 1, 16384)

@@ -17,6 +17,9 @@ constexpr double uvTolerance = 1e-4;
 constexpr double leastArea = 1e-8;
 /// Within this many texels of an edge a centre may count as inside both triangles.
 constexpr double edgeWidth = 1e-2;
+/// A receiver keeps this far from its triangle's edges, texels. In a crease the edge lies in the
+/// other surface, too, and a ray that starts there is closed or open by rounding alone.
+constexpr double inset = 0.1;
 
 double cross(const glm::dvec2& a, const glm::dvec2& b) {
     return a.x * b.y - a.y * b.x;
@@ -64,6 +67,20 @@ struct TexelRaster::Corners {
         return std::min({b.x * size / glm::distance(p[0], p[2]),
                          b.y * size / glm::distance(p[0], p[1]),
                          (1.0 - b.x - b.y) * size / glm::distance(p[1], p[2])});
+    }
+
+    /// Weights of a point at least `inset` inside all edges, or else of the incircle's centre:
+    /// those given, of a point `depth` inside, moved towards that centre.
+    glm::dvec2 keptInside(const glm::dvec2& weights, double depth) const {
+        const glm::dvec3 sides(glm::distance(p[1], p[2]), glm::distance(p[2], p[0]),
+                               glm::distance(p[0], p[1]));
+        const double perimeter = sides.x + sides.y + sides.z;
+        const double radius = std::abs(area) / perimeter;
+        if (depth >= inset || !(radius > depth)) {
+            return weights;
+        }
+        const double share = std::min(1.0, (inset - depth) / (radius - depth));
+        return glm::mix(weights, glm::dvec2(sides.y, sides.z) / perimeter, share);
     }
 
     /// The weights of the boundary's point next to `at`, and that point.
@@ -154,7 +171,7 @@ void TexelRaster::visit(const Corners& corners, const TriangleName& name, int x,
         if (kind_[texel] != TexelKind::Inside) {
             kind_[texel] = TexelKind::Inside;
             triangle_[texel] = name;
-            barycentric_[texel] = glm::vec2(weights);
+            barycentric_[texel] = glm::vec2(corners.keptInside(weights, depth));
             mark_[texel] = 0.0F;
         }
         if (depth > edgeWidth) {
@@ -173,7 +190,7 @@ void TexelRaster::visit(const Corners& corners, const TriangleName& name, int x,
     if (touches && (kind_[texel] == TexelKind::Empty || distance < mark_[texel])) {
         kind_[texel] = TexelKind::Border;
         triangle_[texel] = name;
-        barycentric_[texel] = glm::vec2(nearWeights);
+        barycentric_[texel] = glm::vec2(corners.keptInside(nearWeights, 0.0));
         mark_[texel] = distance;
     }
 }

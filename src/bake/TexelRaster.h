@@ -34,7 +34,7 @@ public:
     /// Of a texel that is not empty.
     const TriangleName& triangle(std::size_t texel) const { return triangle_[texel]; }
     /// Weights of the triangle's second and third vertex: of the texel's centre, or of the
-    /// triangle's point next to it.
+    /// triangle's point next to it; a tenth of a texel from its edges, where it is wide enough.
     const glm::vec2& barycentric(std::size_t texel) const { return barycentric_[texel]; }
 
     std::size_t coveredTexels() const;

@@ -40,6 +40,17 @@ glm::dvec3 areaVector(const Surface& surface, std::size_t first) {
                       glm::dvec3(surface.positions[surface.indices[first + 2]]) - a);
 }
 
+/// The place of a corner, moved a little towards its triangle's centre.
+glm::dvec3 placeNear(const Surface& surface, std::size_t corner) {
+    constexpr double inset = 0.01;
+    const std::size_t first = corner - corner % 3;
+    glm::dvec3 centre(0.0);
+    for (std::size_t k = 0; k < 3; ++k) {
+        centre += glm::dvec3(surface.positions[surface.indices[first + k]]) / 3.0;
+    }
+    return glm::mix(glm::dvec3(surface.positions[surface.indices[corner]]), centre, inset);
+}
+
 glm::dvec3 unitOrZero(const glm::dvec3& v) {
     const double length = glm::length(v);
     return length > 0.0 && std::isfinite(length) ? v / length : glm::dvec3(0.0);
@@ -51,6 +62,7 @@ VertexWeld weldVertices(const BakeGeometry& geometry) {
     VertexWeld weld;
     std::unordered_map<Key, std::uint32_t, KeyHash> known;
     std::vector<glm::dvec3> areas;
+    std::vector<double> largest; // squared area of the triangle that the point lies on
     for (const Surface& surface : geometry.scene().surfaces) {
         std::vector<std::uint32_t>& numbers = weld.number.emplace_back();
         if (surface.map < 0) {
@@ -74,9 +86,16 @@ VertexWeld weldVertices(const BakeGeometry& geometry) {
                 if (fresh) {
                     weld.points.push_back({glm::dvec3(surface.positions[vertex]), normal, {}});
                     areas.emplace_back(0.0);
+                    largest.push_back(0.0);
                 }
             }
-            areas[numbers[vertex]] += area;
+            const std::uint32_t number = numbers[vertex];
+            areas[number] += area;
+            if (const double size = glm::dot(area, area); size > largest[number]) {
+                largest[number] = size;
+                weld.points[number].position = placeNear(surface, i);
+                weld.points[number].plane = glm::normalize(area);
+            }
         }
     }
     for (std::size_t i = 0; i < weld.points.size(); ++i) {
@@ -87,7 +106,7 @@ VertexWeld weldVertices(const BakeGeometry& geometry) {
         if (point.normal == glm::dvec3(0.0)) {
             point.normal = geometry.up(); // triangles back to back
         }
-        point.plane = point.normal;
+        point.plane = glm::dot(point.plane, point.normal) < 0.0 ? -point.plane : point.plane;
     }
     return weld;
 }

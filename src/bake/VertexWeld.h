@@ -13,7 +13,9 @@ namespace aolib::bake {
 struct VertexWeld {
     /// Per surface and vertex its number, or `unused`.
     std::vector<std::vector<std::uint32_t>> number;
-    std::vector<SurfacePoint> points; ///< per number; normals as given, or the triangles' mean
+    /// Per number: a place on the largest triangle about the vertex, next to it (a vertex in a
+    /// crease lies in other surfaces, too); the normal as given, or the triangles' mean.
+    std::vector<SurfacePoint> points;
     static constexpr std::uint32_t unused = ~0U;
 };
 

@@ -116,6 +116,18 @@ void attachLight(BakeFlags& flags, CLI::App& command) {
         "where light comes from: everywhere, or above the horizon")
         ->default_str("sphere")
         ->group(group);
+    addWholeNumber(
+        command, "--directions", 1, 1 << 20,
+        [&flags](int count) { flags.scatter.directions = flags.shadow.directions = count; },
+        "of light, for scatter and shadow")
+        ->default_str("512")
+        ->group(group);
+    addWholeNumber(
+        command, "--seed", 0, 1 << 30,
+        [&flags](int seed) { flags.rays.seed = static_cast<std::uint32_t>(seed); },
+        "another seed, another noise")
+        ->default_str("0")
+        ->group(group);
     const auto takeGround = [&flags](const std::string& text) {
         flags.ground = true;
         flags.groundHeight = parseNumber(text);
@@ -156,11 +168,59 @@ void attachRays(BakeFlags& flags, CLI::App& command) {
         "0 = one per core")
         ->default_str("0")
         ->group(group);
+}
+
+void attachScatter(BakeFlags& flags, CLI::App& command) {
+    const char* const group = "Scatter";
+    bake::ScatterOptions& scatter = flags.scatter;
     addWholeNumber(
-        command, "--seed", 0, 1 << 30,
-        [&flags](int seed) { flags.rays.seed = static_cast<std::uint32_t>(seed); },
-        "another seed, another noise")
+        command, "--raster", 0, 16384, [&scatter](int size) { scatter.rasterSize = size; },
+        "pixels along the picture from each direction; 0 = by the map's texels")
         ->default_str("0")
+        ->group(group);
+    addNumber(
+        command, "--point-size",
+        [&scatter](double size) { scatter.pointSize = static_cast<float>(size); },
+        "texels along a point's edge, with fractions; 0 = the nearest texel alone")
+        ->default_str("1")
+        ->group(group);
+    command
+        .add_flag("!--no-stretch", scatter.stretchCorrection,
+                  "take charts to be stretched alike everywhere, for comparison")
+        ->group(group);
+    addChoice<bake::Normalisation>(
+        command, "--normalise",
+        {{"derived", bake::Normalisation::Derived}, {"brightest", bake::Normalisation::Brightest}},
+        [&scatter](bake::Normalisation value) { scatter.normalisation = value; },
+        "how sums become W: derived, or the brightest texel is taken for open")
+        ->default_str("derived")
+        ->group(group);
+    addChoice<bake::SeamFix>(
+        command, "--seams",
+        {{"coverage", bake::SeamFix::Coverage}, {"erosion", bake::SeamFix::Erosion}},
+        [&scatter](bake::SeamFix value) { scatter.seams = value; },
+        "texels that charts cover in part: divided by that part, or discarded and filled")
+        ->default_str("coverage")
+        ->group(group);
+}
+
+void attachShadow(BakeFlags& flags, CLI::App& command) {
+    const char* const group = "Shadow maps";
+    bake::ShadowOptions& shadow = flags.shadow;
+    addWholeNumber(
+        command, "--depth-size", 64, 8192, [&shadow](int size) { shadow.depthSize = size; },
+        "texels along a depth map")
+        ->default_str("1024")
+        ->group(group);
+    addWholeNumber(
+        command, "--maps-per-pass", 1, 16, [&shadow](int count) { shadow.mapsPerPass = count; },
+        "depth maps read in one pass")
+        ->default_str("8")
+        ->group(group);
+    addNumber(
+        command, "--bias", [&shadow](double bias) { shadow.bias = static_cast<float>(bias); },
+        "texels of a depth map by which receivers on slopes are lifted")
+        ->default_str("1")
         ->group(group);
 }
 
@@ -171,8 +231,12 @@ void BakeFlags::attach(CLI::App& command) {
         ->type_name("MODEL")
         ->required();
     addChoice<BakeMethod>(
-        command, "--method", {{"rays", BakeMethod::Rays}},
-        [this](BakeMethod value) { method = value; }, "how it is computed")
+        command, "--method",
+        {{"rays", BakeMethod::Rays},
+         {"scatter", BakeMethod::Scatter},
+         {"shadow", BakeMethod::Shadow}},
+        [this](BakeMethod value) { method = value; },
+        "rays on the CPU; points scattered, or shadow maps, on the GPU")
         ->default_str("rays");
     addChoice<BakeTarget>(
         command, "--target", {{"texture", BakeTarget::Texture}, {"vertex", BakeTarget::Vertex}},
@@ -182,6 +246,9 @@ void BakeFlags::attach(CLI::App& command) {
     attachMaps(*this, command);
     attachLight(*this, command);
     attachRays(*this, command);
+    attachScatter(*this, command);
+    attachShadow(*this, command);
+    gl.attach(command);
 }
 
 } // namespace aolib::app

@@ -13,7 +13,7 @@
 
 namespace aolib::app {
 
-enum class BakeMethod { Rays };
+enum class BakeMethod { Rays, Scatter, Shadow };
 enum class BakeTarget { Texture, Vertex };
 enum class Unwrap { Auto, Never, Always };
 enum class VertexAttribute { Ao, Color };
@@ -29,11 +29,14 @@ struct BakeFlags {
     Unwrap unwrap = Unwrap::Auto;
     VertexAttribute attribute = VertexAttribute::Ao;
     int bits = 8;
-    int uvSet = -1; ///< -1: the first that will do
-    Length radius;  ///< 0: endless
-    bake::RayOptions rays;
+    int uvSet = -1;               ///< -1: the first that will do
+    Length radius;                ///< 0: endless
+    bake::RayOptions rays;        ///< its sky and seed are those of all methods
+    bake::ScatterOptions scatter; ///< its directions are those of shadow maps, too
+    bake::ShadowOptions shadow;
     bake::MapOptions map;
     bake::VertexOptions vertices;
+    GlFlags gl;
     bool ground = false;
     std::optional<double> groundHeight; ///< none: below the model
 

@@ -6,6 +6,7 @@
 #include <exception>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -29,8 +30,15 @@ Failure failureOf(const std::string& subject, const Status& status) {
     if (status.code() == StatusCode::Cancelled) {
         return {ExitCode::Failed, "cancelled; nothing was written for " + subject};
     }
-    const bool ours = status.code() == StatusCode::OutOfMemory;
-    return {ours ? ExitCode::Failed : ExitCode::BadInput, subject + ": " + status.message()};
+    switch (status.code()) {
+    case StatusCode::OutOfMemory:
+        return {ExitCode::Failed, subject + ": " + status.message()};
+    case StatusCode::ShaderError:
+    case StatusCode::NoContext:
+        return graphicsFailure(subject + ": " + status.message());
+    default:
+        return badInput(subject + ": " + status.message());
+    }
 }
 
 /// The PNG of values in [0,1], channels interleaved.
@@ -97,7 +105,7 @@ public:
 private:
     Outcome<std::string> bakeMaps();
     Outcome<std::string> bakeVertices();
-    Result<std::unique_ptr<bake::AbstractBaker>> baker() const;
+    Outcome<std::unique_ptr<bake::AbstractBaker>> baker();
     bake::BakeScene scene() const;
     bake::BakeProgress callback() const;
     MaybeFailure putMap(OutputFiles& files, const std::filesystem::path& file, bool normals,
@@ -107,6 +115,7 @@ private:
     MaybeFailure commit(OutputFiles& files) const;
 
     BakeInput input_;
+    std::optional<GlSession> session_; ///< outlives bakers
     const BakeFlags& flags_;
     std::string out_;
     Progress& progress_;
@@ -124,10 +133,35 @@ bake::BakeScene Job::scene() const {
     return scene;
 }
 
-Result<std::unique_ptr<bake::AbstractBaker>> Job::baker() const {
-    bake::RayOptions rays = flags_.rays;
-    rays.radius = static_cast<float>(flags_.radius.resolved(double{input_.bounds.diagonal()}));
-    return bake::createRayBaker(scene(), rays);
+Outcome<std::unique_ptr<bake::AbstractBaker>> Job::baker() {
+    Result<std::unique_ptr<bake::AbstractBaker>> made = Status();
+    const double radius = flags_.radius.resolved(double{input_.bounds.diagonal()});
+    if (flags_.method == BakeMethod::Rays) {
+        bake::RayOptions rays = flags_.rays;
+        rays.radius = static_cast<float>(radius);
+        made = bake::createRayBaker(scene(), rays);
+    } else {
+        if (radius > 0.0) {
+            return badInput("--radius: pictures from the light know no distance between occluder "
+                            "and receiver; --method rays does");
+        }
+        Outcome<GlSession> session = GlSession::open(flags_.gl);
+        if (!session) {
+            return session.failure();
+        }
+        session_.emplace(std::move(*session));
+        bake::ScatterOptions scatter = flags_.scatter;
+        bake::ShadowOptions shadow = flags_.shadow;
+        scatter.sky = shadow.sky = flags_.rays.sky;
+        scatter.seed = shadow.seed = flags_.rays.seed;
+        made = flags_.method == BakeMethod::Scatter
+                   ? bake::createScatterBaker(session_->loader(), scene(), scatter)
+                   : bake::createShadowBaker(session_->loader(), scene(), shadow);
+    }
+    if (!made) {
+        return failureOf(input_.name, made.status());
+    }
+    return std::move(*made);
 }
 
 bake::BakeProgress Job::callback() const {
@@ -172,6 +206,11 @@ MaybeFailure Job::putModel(OutputFiles& files) {
 }
 
 MaybeFailure Job::commit(OutputFiles& files) const {
+    if (session_) {
+        if (MaybeFailure failure = session_->reviewMessages()) {
+            return failure;
+        }
+    }
     if (Interruption::happened()) {
         return failureOf(input_.name, {StatusCode::Cancelled, ""});
     }
@@ -191,9 +230,9 @@ Outcome<std::string> Job::bakeMaps() {
         }
     }
     progress_.begin(input_.name + ": baking");
-    auto made = baker();
+    const auto made = baker();
     if (!made) {
-        return failureOf(input_.name, made.status());
+        return made.failure();
     }
     const auto baked = (*made)->bakeMaps(flags_.map, callback());
     if (!baked) {
@@ -286,9 +325,9 @@ Outcome<std::string> Job::bakeVertices() {
         return *failure;
     }
     progress_.begin(input_.name + ": baking");
-    auto made = baker();
+    const auto made = baker();
     if (!made) {
-        return failureOf(input_.name, made.status());
+        return made.failure();
     }
     const auto baked = (*made)->bakeVertices(flags_.vertices, callback());
     if (!baked) {

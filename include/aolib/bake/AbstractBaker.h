@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include <aolib/BakeExport.h>
+#include <aolib/ProcAddressLoader.h>
 #include <aolib/Status.h>
 #include <aolib/bake/BakeOptions.h>
 #include <aolib/bake/BakeScene.h>
@@ -70,5 +71,20 @@ public:
 /// EmptyMesh, naming the surface), InvalidOption, MissingCapability, OutOfMemory. Since 0.1.
 AOLIB_BAKE_EXPORT Result<std::unique_ptr<AbstractBaker>> createRayBaker(BakeScene scene,
                                                                         const RayOptions& options);
+
+/// A baker of maps on the GPU: from each of many directions the model is drawn, and what is seen is
+/// scattered as points into its map (McGraw and Sowers 2008). Any OpenGL 3.3 context will do; it
+/// is that which is current, and must be so in all later calls and when the baker goes. GL state
+/// is saved and restored by each call, and around each call of the progress callback.
+/// Errors: those of the scene as above, InvalidOption, NoContext, MissingCapability, ShaderError,
+/// OutOfMemory. bakeVertices() answers MissingCapability. Since 0.1.
+AOLIB_BAKE_EXPORT Result<std::unique_ptr<AbstractBaker>>
+createScatterBaker(const ProcAddressLoader& loader, BakeScene scene, const ScatterOptions& options);
+
+/// A baker of maps and vertices on the GPU: a depth map per direction, then every receiver asks
+/// which of them see it (GPU Gems, chapter 17.3). `VertexFit::Direct` alone. Context and errors as
+/// for createScatterBaker(). Since 0.1.
+AOLIB_BAKE_EXPORT Result<std::unique_ptr<AbstractBaker>>
+createShadowBaker(const ProcAddressLoader& loader, BakeScene scene, const ShadowOptions& options);
 
 } // namespace aolib::bake

@@ -30,6 +30,12 @@ enum class Normalisation : std::uint8_t {
     Brightest, ///< the brightest texel is taken for fully open (McGraw and Sowers 2008)
 };
 
+/// What is done about texels that a chart covers in part, which get but a part of their points.
+enum class SeamFix : std::uint8_t {
+    Coverage, ///< each sum is divided by the share of the texel that charts cover
+    Erosion,  ///< they are discarded and filled from within (McGraw and Sowers 2008)
+};
+
 /// How values of vertices come about.
 enum class VertexFit : std::uint8_t {
     Direct,       ///< at the vertex itself, about its normal
@@ -46,6 +52,30 @@ struct RayOptions {
     Measure measure = Measure::Cosine;
     Sky sky = Sky::Sphere;
     int threads = 0;        ///< workers, 0 takes one per core; does not change the result
+    std::uint32_t seed = 0; ///< another seed, another noise
+};
+
+/// Settings of baking by scattered points, on the GPU. Occluders have no end: there is no radius.
+struct ScatterOptions {
+    int directions = 512;   ///< of light, count, 1 to 2^20
+    int rasterSize = 0;     ///< pixels along the picture from each direction, 64 to 16384; 0
+                            ///< derives it from the texels that charts cover
+    float pointSize = 1.0F; ///< texels along a point's edge, 0 (the nearest texel gets all) to 16
+    bool stretchCorrection = true; ///< off: charts are taken to be stretched alike everywhere
+    Normalisation normalisation = Normalisation::Derived;
+    SeamFix seams = SeamFix::Coverage;
+    Sky sky = Sky::Sphere;
+    std::uint32_t seed = 0; ///< another seed, another noise
+};
+
+/// Settings of baking by shadow maps, on the GPU. Occluders have no end: there is no radius.
+struct ShadowOptions {
+    int directions = 512; ///< of light, count, 1 to 2^20
+    int depthSize = 1024; ///< texels along a depth map, 64 to 8192
+    int mapsPerPass = 8;  ///< depth maps read in one pass, count, 1 to 16
+    float bias = 1.0F;    ///< how far receivers on a slope are lifted off it, texels of the depth
+                          ///< map times the sine of the slope, 0 to 16
+    Sky sky = Sky::Sphere;
     std::uint32_t seed = 0; ///< another seed, another noise
 };
 

@@ -100,6 +100,28 @@ TEST(RayBakerTest, LonePlaneIsOpenAndClosedRoomIsClosed) {
     }
 }
 
+TEST(RayBakerTest, TexelsInACreaseAreNotBlack) {
+    // In the corners of an open box, about a third of the sky is open from everywhere on the edge.
+    UvMesh box;
+    addUvBox(box, glm::vec3(-1.0F, -0.1F, -1.0F), glm::vec3(1.0F, 0.1F, 1.0F), 1, {}, true, false);
+    for (const int size : {48, 96, 100}) { // edges along texels' borders, centres, neither
+        const BakedMap map = bakeRays(sceneOf(box), 256, size);
+        for (std::size_t i = 0; i < map.visibility.size(); ++i) {
+            if (map.kind[i] != TexelKind::Empty) {
+                EXPECT_GT(map.visibility[i], 0.1F) << i << " of " << size;
+            }
+        }
+    }
+    RayOptions options;
+    auto baker = createRayBaker(sceneOf(box), options);
+    ASSERT_TRUE(baker.ok());
+    const auto vertices = (*baker)->bakeVertices({}, {});
+    ASSERT_TRUE(vertices.ok());
+    for (const float w : vertices->front().visibility) {
+        EXPECT_GT(w, 0.1F);
+    }
+}
+
 TEST(RayBakerTest, RadiusAndFalloffFollowTheClosedForms) {
     UvMesh sphere;
     addUvSphere(sphere, {3.0F, 0.0F, 0.0F}, 1.0F, 128, 64);

@@ -89,7 +89,7 @@ void addUvSphere(UvMesh& mesh, const glm::vec3& centre, float radius, int segmen
 
 void addUvBox(UvMesh& mesh, const glm::vec3& low, const glm::vec3& high, int cells,
               const UvRect& rect, bool inwards, bool lid) {
-    constexpr float gap = 0.03F; // of a chart's own place
+    constexpr float gap = 0.06F; // of a chart's own place
     const glm::vec3 size = high - low;
     for (int side = 0; side < 6; ++side) {
         const int axis = side / 2;

@@ -1,0 +1,26 @@
+#version 330 core
+// A texel gets the share of the point that lies in it.
+uniform vec3 uDirection;  // towards the light
+uniform float uPointSize; // texels
+uniform float uMapHeight; // texels, of each of the stacked maps
+
+flat in vec2 vPlace;
+flat in float vWeight;
+flat in vec2 vSides;
+
+layout(location = 0) out vec4 oSum; // weighed direction, weight
+
+void main() {
+    float share = 1.0;
+    if (uPointSize > 0.0) {
+        vec2 low = max(gl_FragCoord.xy - 0.5, vPlace - 0.5 * vSides);
+        vec2 high = min(gl_FragCoord.xy + 0.5, vPlace + 0.5 * vSides);
+        vec2 sides = max(high - low, 0.0);
+        share = sides.x * sides.y / (vSides.x * vSides.y);
+    }
+    // A point does not reach into the map beside its own in the stack.
+    if (share == 0.0 || floor(gl_FragCoord.y / uMapHeight) != floor(vPlace.y / uMapHeight)) {
+        discard;
+    }
+    oSum = vec4(uDirection, 1.0) * (share * vWeight);
+}

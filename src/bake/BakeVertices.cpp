@@ -1,0 +1,123 @@
+#include "bake/BakeVertices.h"
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include "bake/TexelRaster.h"
+#include "gl/Label.h"
+#include "scene/Finite.h"
+
+namespace aolib::bake {
+
+namespace {
+
+struct Vertex {
+    glm::vec3 position;
+    glm::vec3 normal;
+    glm::vec3 place;
+};
+
+class Filler {
+public:
+    Filler(const BakeFrame& frame, const glm::dvec2& mapSize) : frame_(frame), size_(mapSize) {}
+
+    void add(const Surface& surface) {
+        const auto base = static_cast<std::uint32_t>(vertices.size());
+        for (std::size_t i = 0; i < surface.positions.size(); ++i) {
+            vertices.push_back(vertex(surface, i));
+        }
+        const auto triangles = static_cast<std::uint32_t>(surface.indices.size() / 3);
+        for (std::uint32_t t = 0; t < triangles; ++t) {
+            const std::uint32_t* index = &surface.indices[std::size_t{t} * 3];
+            const bool mapped = surface.map >= 0 && uvFault(surface, t, size_) == UvFault::None;
+            for (std::size_t k = 0; k < 3; ++k) {
+                if (mapped) {
+                    indices.push_back(base + index[k]);
+                    continue;
+                }
+                indices.push_back(static_cast<std::uint32_t>(vertices.size()));
+                vertices.push_back(vertices[base + index[k]]);
+                vertices.back().place = glm::vec3(0.0F, 0.0F, -1.0F);
+            }
+        }
+    }
+
+    std::vector<Vertex> vertices;
+    std::vector<std::uint32_t> indices;
+
+private:
+    Vertex vertex(const Surface& surface, std::size_t i) const {
+        Vertex result{frame_.toFrame(glm::dvec3(surface.positions[i])), glm::vec3(0.0F),
+                      glm::vec3(0.0F, 0.0F, static_cast<float>(surface.map))};
+        if (!surface.normals.empty() && isFinite(surface.normals[i])) {
+            result.normal = surface.normals[i];
+        }
+        if (!surface.uvs.empty()) {
+            const glm::vec3 uv(surface.uvs[i], 0.0F);
+            const glm::vec3 safe = isFinite(uv) ? glm::clamp(uv, 0.0F, 1.0F) : glm::vec3(0.0F);
+            result.place.x = safe.x;
+            result.place.y = safe.y;
+        }
+        return result;
+    }
+
+    const BakeFrame& frame_;
+    glm::dvec2 size_;
+};
+
+} // namespace
+
+Result<BakeVertices> BakeVertices::create(const gl::Functions& gl, const BakeGeometry& geometry,
+                                          const BakeFrame& frame, int width, int height) {
+    Filler filler(frame, {width, height});
+    for (const Surface& surface : geometry.scene().surfaces) {
+        filler.add(surface);
+    }
+    if (filler.indices.size() > std::size_t{std::numeric_limits<GLsizei>::max()}) {
+        return Status(StatusCode::OutOfMemory, std::to_string(filler.indices.size() / 3) +
+                                                   " triangles are more than GL can number");
+    }
+    BakeVertices result;
+    result.gl_ = &gl;
+    result.name_ = gl::generate<gl::VertexArrayName>(gl, &gl::Functions::GenVertexArrays);
+    if (!result.name_) {
+        return Status(StatusCode::OutOfMemory, "aolib/bake: GL gave no vertex array name");
+    }
+    gl.BindVertexArray(result.name_.name());
+    gl::label(gl, GL_VERTEX_ARRAY, result.name_.name(), "aolib/bake");
+    auto vertices =
+        gl::Buffer::create(gl, GL_ARRAY_BUFFER, filler.vertices.size() * sizeof(Vertex),
+                           filler.vertices.data(), GL_STATIC_DRAW, "aolib/bake/vertices");
+    if (!vertices) {
+        return vertices.status();
+    }
+    constexpr std::array<std::size_t, 3> offsets{offsetof(Vertex, position),
+                                                 offsetof(Vertex, normal), offsetof(Vertex, place)};
+    for (GLuint location = 0; location < offsets.size(); ++location) {
+        gl.EnableVertexAttribArray(location);
+        gl.VertexAttribPointer(location, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex),
+                               reinterpret_cast<const void*>(offsets[location]));
+    }
+    auto indices = gl::Buffer::create(gl, GL_ELEMENT_ARRAY_BUFFER,
+                                      filler.indices.size() * sizeof(std::uint32_t),
+                                      filler.indices.data(), GL_STATIC_DRAW, "aolib/bake/indices");
+    if (!indices) {
+        return indices.status();
+    }
+    result.vertices_ = std::move(*vertices);
+    result.indices_ = std::move(*indices);
+    result.indexCount_ = static_cast<GLsizei>(filler.indices.size());
+    return result;
+}
+
+void BakeVertices::draw() const {
+    gl_->BindVertexArray(name_.name());
+    gl_->DrawElements(GL_TRIANGLES, indexCount_, GL_UNSIGNED_INT, nullptr);
+}
+
+} // namespace aolib::bake

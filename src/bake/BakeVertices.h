@@ -1,0 +1,31 @@
+#pragma once
+
+#include <aolib/Status.h>
+
+#include "bake/BakeGeometry.h"
+#include "bake/LightView.h"
+#include "gl/Buffer.h"
+
+namespace aolib::bake {
+
+/// A scene's triangles in GPU memory: positions in the frame (location 0), shading normals, zero
+/// where there are none (1), and u, v and the number of the map (2), -1 for what only occludes.
+class BakeVertices {
+public:
+    BakeVertices() = default;
+    /// @param width,height  of the maps: decide which triangles are too thin in them.
+    /// Errors: OutOfMemory.
+    static Result<BakeVertices> create(const gl::Functions& gl, const BakeGeometry& geometry,
+                                       const BakeFrame& frame, int width, int height);
+
+    void draw() const;
+
+private:
+    const gl::Functions* gl_ = nullptr;
+    gl::VertexArrayName name_;
+    gl::Buffer vertices_;
+    gl::Buffer indices_;
+    GLsizei indexCount_ = 0;
+};
+
+} // namespace aolib::bake

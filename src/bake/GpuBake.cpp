@@ -1,0 +1,45 @@
+#include "bake/GpuBake.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+namespace aolib::bake {
+
+Result<GpuBake> GpuBake::create(const ProcAddressLoader& loader, BakeScene scene) {
+    Result<BakeGeometry> geometry = BakeGeometry::create(std::move(scene));
+    if (!geometry) {
+        return geometry.status();
+    }
+    Result<gl::Functions> functions = gl::Functions::load(loader);
+    if (!functions) {
+        return functions.status();
+    }
+    const BakeFrame frame(geometry->bounds());
+    return GpuBake{std::make_unique<gl::Functions>(*functions), std::move(*geometry), frame};
+}
+
+glm::vec4 GpuBake::ground() const {
+    if (!geometry.scene().ground) {
+        return glm::vec4(0.0F);
+    }
+    const glm::dvec3 point = double{*geometry.scene().ground} * geometry.up();
+    const double height = glm::dot(glm::dvec3(frame.toFrame(point)), geometry.up());
+    return {glm::vec3(geometry.up()), static_cast<float>(height)};
+}
+
+double cosineNorm(Sky sky, int directions) {
+    // The sum is an average over a sphere's 4 pi, or a dome's 2 pi, times their number; a
+    // hemisphere's cosines have the integral pi.
+    return (sky == Sky::Sphere ? 4.0 : 2.0) / double(directions);
+}
+
+void setTexel(BakedMap& map, std::size_t texel, const glm::vec4& sum, double norm,
+              const glm::dvec3& normal) {
+    map.visibility[texel] = static_cast<float>(std::max(0.0, double{sum.w} * norm));
+    const float length = glm::length(glm::vec3(sum));
+    map.bentNormal[texel] = length > 0.0F ? glm::vec3(sum) / length : glm::vec3(normal);
+}
+
+} // namespace aolib::bake

@@ -1,0 +1,219 @@
+#include "bake/ScatterBaker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "bake/BakeVertices.h"
+#include "bake/CheckOptions.h"
+#include "bake/MapFill.h"
+#include "bake/SurfaceSamples.h"
+#include "gl/StateGuard.h"
+
+namespace aolib::bake {
+
+namespace {
+
+/// Directions between two calls of the progress callback.
+constexpr int directionsAtOnce = 4;
+/// Pixels of stage 1's picture per texel that charts cover, when the size is derived. A direction
+/// sees about a quarter of it filled and half of the texels: so two pixels per texel.
+constexpr double pixelsPerTexel = 4.0;
+constexpr int leastRaster = 128;
+constexpr int largestRaster = 4096;
+/// Texels of which less is covered have too few points to say anything.
+constexpr float leastCoverage = 0.2F;
+
+} // namespace
+
+struct ScatterBaker::Sums {
+    std::vector<glm::vec4> light;
+    std::vector<glm::vec4> coverage;
+};
+
+int ScatterBaker::rasterSize(const std::vector<TexelRaster>& rasters) const {
+    if (options_.rasterSize > 0) {
+        return std::min(options_.rasterSize, gpu_.gl->capabilities.maxTextureSize);
+    }
+    double covered = 0.0;
+    for (const TexelRaster& raster : rasters) {
+        covered += static_cast<double>(raster.coveredTexels());
+    }
+    const double size = std::sqrt(pixelsPerTexel * covered);
+    return std::clamp((static_cast<int>(size) + 63) / 64 * 64, leastRaster,
+                      std::min(largestRaster, gpu_.gl->capabilities.maxTextureSize));
+}
+
+/// Square texels per square frame unit, if all charts were stretched alike.
+float ScatterBaker::density(const std::vector<TexelRaster>& rasters) const {
+    double texels = 0.0;
+    for (const TexelRaster& raster : rasters) {
+        texels += static_cast<double>(raster.coveredTexels());
+    }
+    double area = 0.0;
+    for (const SurfaceSample& sample : triangleCentres(gpu_.geometry)) {
+        area += double{sample.area};
+    }
+    const double scale = gpu_.frame.scale();
+    return static_cast<float>(texels / (area * scale * scale));
+}
+
+Result<ScatterBaker::Sums> ScatterBaker::sumStack(const ScatterPasses::Settings& settings,
+                                                  const BakeVertices& vertices,
+                                                  const BakeProgress& progress) const {
+    const gl::Functions& gl = *gpu_.gl;
+    Sums sums;
+    ScatterPasses passes;
+    {
+        const gl::StateGuard guard(gl);
+        Result<ScatterPasses> made = ScatterPasses::create(gl, settings);
+        if (!made) {
+            return made.status();
+        }
+        passes = std::move(*made);
+        passes.addCoverage(vertices);
+        sums.coverage = passes.coverage();
+    }
+    for (int first = 0; first < options_.directions; first += directionsAtOnce) {
+        if (progress && !progress(double(first) / double(options_.directions))) {
+            return Status(StatusCode::Cancelled, "the bake was cancelled");
+        }
+        const gl::StateGuard guard(gl);
+        const int last = std::min(first + directionsAtOnce, options_.directions);
+        for (int i = first; i < last; ++i) {
+            const auto index = static_cast<std::uint32_t>(i);
+            const glm::dvec3 direction =
+                lightDirection(options_.sky, gpu_.geometry.up(), options_.seed, index);
+            passes.addDirection(vertices, lightView(gpu_.frame, direction, settings.rasterSize,
+                                                    options_.seed, index));
+        }
+        gl.Finish();
+    }
+    const gl::StateGuard guard(gl);
+    sums.light = passes.sums();
+    return sums;
+}
+
+BakedMap ScatterBaker::mapOf(const TexelRaster& raster, const Sums& sums, std::size_t offset,
+                             const MapOptions& options) const {
+    BakedMap map = emptyMap(raster);
+    const bool eroded = options_.seams == SeamFix::Erosion;
+    const double norm = cosineNorm(options_.sky, options_.directions);
+    for (std::size_t i = 0; i < raster.size(); ++i) {
+        const float covered = eroded ? 1.0F : sums.coverage[offset + i].w;
+        const bool counts = eroded ? raster.kind(i) == TexelKind::Inside
+                                   : raster.kind(i) != TexelKind::Empty && covered >= leastCoverage;
+        if (!counts) {
+            continue;
+        }
+        const glm::vec2& b = raster.barycentric(i);
+        const std::optional<SurfacePoint> point =
+            gpu_.geometry.point(raster.triangle(i), double{b.x}, double{b.y});
+        if (point) {
+            setTexel(map, i, sums.light[offset + i], norm / double{covered}, point->normal);
+        }
+    }
+    if (eroded) {
+        erode(map);
+    }
+    if (options_.normalisation == Normalisation::Brightest) {
+        const float most = *std::max_element(map.visibility.begin(), map.visibility.end());
+        for (float& w : map.visibility) {
+            w = w >= 0.0F && most > 0.0F ? w / most : w;
+        }
+    }
+    std::transform(map.visibility.begin(), map.visibility.end(), map.visibility.begin(),
+                   [](float w) { return std::min(w, 1.0F); });
+    finish(map, options);
+    return map;
+}
+
+Result<std::vector<BakedMap>> ScatterBaker::bakeMaps(const MapOptions& options,
+                                                     const BakeProgress& progress) try {
+    if (Status status = check(options); !status) {
+        return status;
+    }
+    const int count = gpu_.geometry.scene().mapCount();
+    const int atOnce = gpu_.gl->capabilities.maxTextureSize / options.height;
+    if (atOnce < 1 || options.width > gpu_.gl->capabilities.maxTextureSize) {
+        return Status(StatusCode::MissingCapability,
+                      "this context has textures of up to " +
+                          std::to_string(gpu_.gl->capabilities.maxTextureSize) + " texels a side");
+    }
+    std::vector<TexelRaster> rasters;
+    bool covered = false;
+    for (int number = 0; number < count; ++number) {
+        rasters.emplace_back(gpu_.geometry.scene(), number, options.width, options.height);
+        covered = covered || rasters.back().coveredTexels() > 0;
+    }
+    if (!covered) {
+        return Status(StatusCode::InvalidPosition, "no triangle has UVs that cover a texel");
+    }
+    ScatterPasses::Settings settings;
+    settings.rasterSize = rasterSize(rasters);
+    settings.pointSize = options_.pointSize;
+    settings.density = options_.stretchCorrection ? 0.0F : density(rasters);
+    settings.ground = gpu_.ground();
+    BakeVertices vertices;
+    {
+        const gl::StateGuard guard(*gpu_.gl);
+        Result<BakeVertices> made = BakeVertices::create(*gpu_.gl, gpu_.geometry, gpu_.frame,
+                                                         options.width, options.height);
+        if (!made) {
+            return made.status();
+        }
+        vertices = std::move(*made);
+    }
+    std::vector<BakedMap> maps;
+    for (int first = 0; first < count; first += atOnce) {
+        settings.stack = {{options.width, options.height}, first, std::min(atOnce, count - first)};
+        const auto share = [&](double fraction) {
+            return !progress || progress((first + fraction * settings.stack.count) / count);
+        };
+        const Result<Sums> sums = sumStack(settings, vertices, share);
+        if (!sums) {
+            return sums.status();
+        }
+        for (int i = 0; i < settings.stack.count; ++i) {
+            const TexelRaster& raster = rasters[static_cast<std::size_t>(first + i)];
+            maps.push_back(
+                mapOf(raster, *sums, static_cast<std::size_t>(i) * raster.size(), options));
+        }
+    }
+    if (progress) {
+        progress(1.0);
+    }
+    return maps;
+} catch (const std::bad_alloc&) {
+    return Status(StatusCode::OutOfMemory, "no memory left for maps of " +
+                                               std::to_string(options.width) + " x " +
+                                               std::to_string(options.height) + " texels");
+}
+
+Result<std::vector<BakedVertices>> ScatterBaker::bakeVertices(const VertexOptions& /*options*/,
+                                                              const BakeProgress& /*progress*/) {
+    return Status(StatusCode::MissingCapability,
+                  "scattering fills maps; vertices are baked by rays or shadow maps");
+}
+
+Result<std::unique_ptr<AbstractBaker>> createScatterBaker(const ProcAddressLoader& loader,
+                                                          BakeScene scene,
+                                                          const ScatterOptions& options) try {
+    if (Status status = check(options); !status) {
+        return status;
+    }
+    Result<GpuBake> gpu = GpuBake::create(loader, std::move(scene));
+    if (!gpu) {
+        return gpu.status();
+    }
+    return std::unique_ptr<AbstractBaker>(std::make_unique<ScatterBaker>(std::move(*gpu), options));
+} catch (const std::bad_alloc&) {
+    return Status(StatusCode::OutOfMemory, "no memory left for the scene to bake");
+}
+
+} // namespace aolib::bake

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include <aolib/bake/AbstractBaker.h>
+
+#include "bake/GpuBake.h"
+#include "bake/ScatterPasses.h"
+#include "bake/TexelRaster.h"
+
+namespace aolib::bake {
+
+/// Bakes maps by scattering what each direction of light sees (McGraw and Sowers 2008).
+class ScatterBaker final : public AbstractBaker {
+public:
+    ScatterBaker(GpuBake gpu, const ScatterOptions& options)
+        : gpu_(std::move(gpu)), options_(options) {}
+
+    Result<std::vector<BakedMap>> bakeMaps(const MapOptions& options,
+                                           const BakeProgress& progress) override;
+    Result<std::vector<BakedVertices>> bakeVertices(const VertexOptions& options,
+                                                    const BakeProgress& progress) override;
+
+private:
+    struct Sums;
+
+    int rasterSize(const std::vector<TexelRaster>& rasters) const;
+    float density(const std::vector<TexelRaster>& rasters) const;
+    Result<Sums> sumStack(const ScatterPasses::Settings& settings, const BakeVertices& vertices,
+                          const BakeProgress& progress) const;
+    BakedMap mapOf(const TexelRaster& raster, const Sums& sums, std::size_t offset,
+                   const MapOptions& options) const;
+
+    GpuBake gpu_;
+    ScatterOptions options_;
+};
+
+} // namespace aolib::bake

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <aolib/bake/AbstractBaker.h>
+
+#include "bake/GpuBake.h"
+#include "bake/ShadowPasses.h"
+
+namespace aolib::bake {
+
+/// Bakes maps and vertices by shadow maps (GPU Gems, chapter 17.3).
+class ShadowBaker final : public AbstractBaker {
+public:
+    ShadowBaker(GpuBake gpu, const ShadowOptions& options)
+        : gpu_(std::move(gpu)), options_(options) {}
+
+    Result<std::vector<BakedMap>> bakeMaps(const MapOptions& options,
+                                           const BakeProgress& progress) override;
+    Result<std::vector<BakedVertices>> bakeVertices(const VertexOptions& options,
+                                                    const BakeProgress& progress) override;
+
+private:
+    using Receivers = std::span<const std::optional<SurfacePoint>>;
+
+    Result<BakeVertices> upload(int width, int height) const;
+    Result<std::vector<glm::vec4>> sumsAt(Receivers receivers, const glm::ivec2& size,
+                                          const BakeVertices& vertices,
+                                          const BakeProgress& progress) const;
+
+    GpuBake gpu_;
+    ShadowOptions options_;
+};
+
+} // namespace aolib::bake

@@ -1,0 +1,327 @@
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "BakeScenes.h"
+#include "GLTest.h"
+#include "MapErrors.h"
+#include "reference/ClosedForms.h"
+
+namespace aolib::bake::test {
+
+namespace {
+
+/// Bakers on the GPU against closed forms and rays, in every kind of context.
+class GpuBakerGLTest : public GLTest {
+protected:
+    std::unique_ptr<AbstractBaker> scatter(BakeScene scene, const ScatterOptions& options) const {
+        return made(createScatterBaker(loader, std::move(scene), options));
+    }
+    std::unique_ptr<AbstractBaker> shadow(BakeScene scene, const ShadowOptions& options) const {
+        return made(createShadowBaker(loader, std::move(scene), options));
+    }
+    static BakedMap truthOf(const UvMesh& mesh, int size) {
+        RayOptions options;
+        options.rays = 1024;
+        auto baker = createRayBaker(sceneOf(mesh), options);
+        return onlyMap(**baker, size, 8, true);
+    }
+    /// A sphere in an open box.
+    static UvMesh shapes() { return uvShape("uv-shapes"); }
+
+private:
+    static std::unique_ptr<AbstractBaker> made(Result<std::unique_ptr<AbstractBaker>> baker) {
+        EXPECT_TRUE(baker.ok()) << baker.status().message();
+        return std::move(*baker);
+    }
+};
+
+/// How far from rays.
+class BakeAccuracyGLTest : public GpuBakerGLTest {};
+
+/// The wall reaches 4 beyond the floor to both sides, not further: pictures from the light hold all
+/// of it. Seen from the floor's middle its ends cover less than 1% of the hemisphere.
+BakeScene floorBesideShortWall() {
+    BakeScene scene = sceneOf(unitFloor(1));
+    UvMesh wall;
+    addUvQuad(wall, {0.0F, 0.0F, 3.5F}, {0.0F, 0.0F, -8.0F}, {0.0F, 0.5F, 0.0F}, 1);
+    scene.surfaces.push_back(surfaceOf(wall, -1));
+    return scene;
+}
+
+void expectWallsShadow(const BakedMap& map, double bound) {
+    double sum = 0.0;
+    int count = 0;
+    for (int y = 1; y < map.height - 1; ++y) {
+        for (int x = 1; x < map.width - 1; ++x) {
+            const double truth = 1.0 - wallOcclusion(0.5, (x + 0.5) / map.width);
+            const double error =
+                double(map.visibility[static_cast<std::size_t>(y * map.width + x)]) - truth;
+            sum += error * error;
+            ++count;
+        }
+    }
+    EXPECT_LT(std::sqrt(sum / count), bound);
+}
+
+TEST_P(GpuBakerGLTest, FloorBesideAWallIsAsDarkAsTheFormFactorSays) {
+    ScatterOptions points;
+    points.directions = 256;
+    points.rasterSize = 256;
+    // Of 256 directions 128 light the floor: half a direction is 0.008.
+    expectWallsShadow(onlyMap(*scatter(floorBesideShortWall(), points), 16), 0.02);
+    ShadowOptions maps;
+    maps.directions = 256;
+    maps.depthSize = 256;
+    expectWallsShadow(onlyMap(*shadow(floorBesideShortWall(), maps), 16), 0.02);
+}
+
+TEST_P(BakeAccuracyGLTest, LoneBoxIsOpenUpToItsSeams) {
+    const UvMesh box = uvShape("uv-box");
+    ScatterOptions points;
+    points.directions = 128;
+    const BakedMap open = truthOf(box, 64);
+    const MapErrors scattered = errorsOf(onlyMap(*scatter(sceneOf(box), points), 64, 8), open);
+    EXPECT_LT(scattered.inside, 0.03);
+    EXPECT_LT(scattered.seams, 0.04);
+    ShadowOptions maps;
+    maps.directions = 128;
+    maps.depthSize = 256;
+    const MapErrors shadowed = errorsOf(onlyMap(*shadow(sceneOf(box), maps), 64, 8), open);
+    EXPECT_LT(shadowed.inside, 0.03);
+    EXPECT_LT(shadowed.seams, 0.03);
+}
+
+TEST_P(BakeAccuracyGLTest, RoomWithoutOpeningIsClosed) {
+    UvMesh room;
+    addUvBox(room, glm::vec3(-1.0F), glm::vec3(1.0F), 2, {}, true);
+    ScatterOptions points;
+    points.directions = 64;
+    ShadowOptions maps;
+    maps.directions = 64;
+    maps.depthSize = 512;
+    for (const BakedMap& map : {onlyMap(*scatter(sceneOf(room), points), 64),
+                                onlyMap(*shadow(sceneOf(room), maps), 64)}) {
+        double sum = 0.0;
+        double most = 0.0;
+        int count = 0;
+        for (std::size_t i = 0; i < map.visibility.size(); ++i) {
+            if (map.kind[i] == TexelKind::Inside) {
+                sum += double(map.visibility[i]);
+                most = std::max(most, double(map.visibility[i]));
+                ++count;
+            }
+        }
+        // Where walls meet, a picture's pixel may see past them: one direction of 64 gives 1/16.
+        EXPECT_LT(sum / count, 0.003);
+        EXPECT_LT(most, 0.13);
+    }
+}
+
+TEST_P(BakeAccuracyGLTest, StretchCorrectionIsWhatMakesPolesRight) {
+    const UvMesh sphere = uvShape("uv-sphere");
+    const BakedMap open = truthOf(sphere, 64);
+    ScatterOptions options;
+    options.directions = 64;
+    const MapErrors with = errorsOf(onlyMap(*scatter(sceneOf(sphere), options), 64), open);
+    options.stretchCorrection = false;
+    const BakedMap wrong = onlyMap(*scatter(sceneOf(sphere), options), 64);
+    EXPECT_LT(with.inside, 0.06);
+    EXPECT_GT(errorsOf(wrong, open).inside, 4.0 * with.inside);
+    EXPECT_LT(wrong.visibility[64 * 3 + 32], 0.5F) << "poles have fewer points per texel";
+}
+
+TEST_P(BakeAccuracyGLTest, BentNormalsAreThoseOfRays) {
+    const BakedMap truth = truthOf(shapes(), 96);
+    ScatterOptions points;
+    points.directions = 128;
+    ShadowOptions maps;
+    maps.directions = 128;
+    maps.depthSize = 512;
+    const MapErrors scattered = errorsOf(onlyMap(*scatter(sceneOf(shapes()), points), 96), truth);
+    const MapErrors shadowed = errorsOf(onlyMap(*shadow(sceneOf(shapes()), maps), 96), truth);
+    EXPECT_LT(scattered.bentAngle, 5.0);
+    EXPECT_LT(shadowed.bentAngle, 5.0);
+    EXPECT_LT(scattered.inside, 0.03);
+    EXPECT_LT(shadowed.inside, 0.03);
+}
+
+TEST_P(BakeAccuracyGLTest, PointsMayBeOfAnySizeAndSeamsErodedOrNot) {
+    const BakedMap truth = truthOf(shapes(), 64);
+    for (const float size : {0.0F, 1.5F, 3.0F}) {
+        ScatterOptions options;
+        options.directions = 32;
+        options.pointSize = size;
+        EXPECT_LT(
+            errorsOf(onlyMap(*scatter(sceneOf(shapes()), options), 64, 8, true), truth).inside,
+            0.08)
+            << size;
+    }
+    ScatterOptions options;
+    options.directions = 32;
+    options.seams = SeamFix::Erosion;
+    const BakedMap eroded = onlyMap(*scatter(sceneOf(shapes()), options), 64, 2, true);
+    EXPECT_LT(errorsOf(eroded, truth).inside, 0.08);
+    options.normalisation = Normalisation::Brightest;
+    const BakedMap brightest = onlyMap(*scatter(sceneOf(shapes()), options), 64, 2, true);
+    EXPECT_EQ(*std::max_element(brightest.visibility.begin(), brightest.visibility.end()), 1.0F);
+}
+
+TEST_P(GpuBakerGLTest, SeveralMapsAreBakedAtOnceAndDoNotMix) {
+    BakeScene scene = sceneOf(unitFloor(1));
+    UvMesh cover;
+    addUvQuad(cover, {-1.0F, 0.04F, -2.0F}, {3, 0, 0}, {0, 0, 3}, 1); // looks down
+    scene.surfaces.push_back(surfaceOf(cover, 1));
+    UvMesh roof;
+    addUvQuad(roof, {-1.0F, 0.05F, 1.0F}, {3, 0, 0}, {0, 0, -3}, 1);
+    scene.surfaces.push_back(surfaceOf(roof, 2));
+    MapOptions options;
+    options.width = options.height = 16;
+    ScatterOptions points;
+    points.directions = 64;
+    points.rasterSize = 256;
+    const auto maps = scatter(scene, points)->bakeMaps(options, {});
+    ASSERT_TRUE(maps.ok()) << maps.status().message();
+    ASSERT_EQ(maps->size(), 3U);
+    ShadowOptions depths;
+    depths.directions = 64;
+    depths.depthSize = 512;
+    const auto shadows = shadow(scene, depths)->bakeMaps(options, {});
+    ASSERT_TRUE(shadows.ok()) << shadows.status().message();
+    for (const auto* baked : {&*maps, &*shadows}) {
+        const BakedMap& floor = (*baked)[0];
+        const BakedMap& below = (*baked)[1];
+        const BakedMap& above = (*baked)[2];
+        for (std::size_t i = 0; i < 256; ++i) {
+            EXPECT_LT(floor.visibility[i], 0.05F) << "below a roof";
+            EXPECT_GT(above.visibility[i], 0.9F) << "the roof itself";
+        }
+        EXPECT_LT(below.visibility[8 * 16 + 8], 0.05F);
+    }
+}
+
+TEST_P(GpuBakerGLTest, GroundAndDomeDarkenWhatLooksDown) {
+    UvMesh wall;
+    addUvQuad(wall, {0.0F, 0.5F, 0.0F}, {1.0F, 0.0F, 0.0F}, {0.0F, 1.0F, 0.0F}, 1);
+    BakeScene grounded = sceneOf(wall);
+    grounded.ground = 0.0F;
+    ScatterOptions points;
+    points.directions = 256;
+    ShadowOptions maps;
+    maps.directions = 256;
+    maps.depthSize = 64;
+    EXPECT_NEAR(onlyMap(*scatter(grounded, points), 16).visibility[8 * 16 + 8], 0.5F, 0.06F);
+    EXPECT_NEAR(onlyMap(*shadow(grounded, maps), 16).visibility[8 * 16 + 8], 0.5F, 0.03F);
+    points.sky = Sky::Dome;
+    maps.sky = Sky::Dome;
+    EXPECT_NEAR(onlyMap(*scatter(sceneOf(wall), points), 16).visibility[8 * 16 + 8], 0.5F, 0.06F);
+    EXPECT_NEAR(onlyMap(*shadow(sceneOf(wall), maps), 16).visibility[8 * 16 + 8], 0.5F, 0.03F);
+}
+
+TEST_P(GpuBakerGLTest, ShadowMapsLightVertices) {
+    UvMesh mesh;
+    addUvQuad(mesh, glm::vec3(0.0F), {1.0F, 0.0F, 0.0F}, {0.0F, 0.0F, -1.0F}, 8);
+    BakeScene scene = sceneOf(mesh);
+    scene.surfaces.push_back(floorBesideShortWall().surfaces[1]);
+    ShadowOptions options;
+    options.directions = 256;
+    options.depthSize = 512;
+    const auto baker = shadow(scene, options);
+    const auto vertices = baker->bakeVertices({}, {});
+    ASSERT_TRUE(vertices.ok()) << vertices.status().message();
+    ASSERT_EQ(vertices->front().visibility.size(), 81U);
+    for (int i = 1; i <= 8; ++i) {
+        EXPECT_NEAR(double(vertices->front().visibility[static_cast<std::size_t>(4 * 9 + i)]),
+                    1.0 - wallOcclusion(0.5, i / 8.0), 0.04);
+    }
+    VertexOptions fitted;
+    fitted.fit = VertexFit::LeastSquares;
+    EXPECT_EQ(baker->bakeVertices(fitted, {}).status().code(), StatusCode::MissingCapability);
+    EXPECT_EQ(scatter(scene, {})->bakeVertices({}, {}).status().code(),
+              StatusCode::MissingCapability);
+}
+
+TEST_P(GpuBakerGLTest, HostStateComesBackAndTheCallbackSeesIt) {
+    gl.Enable(GL_CULL_FACE);
+    gl.Enable(GL_SCISSOR_TEST);
+    gl.Viewport(1, 2, 3, 4);
+    gl.DepthFunc(GL_GREATER);
+    const auto expectHost = [&] {
+        EXPECT_EQ(gl.IsEnabled(GL_CULL_FACE), GL_TRUE);
+        EXPECT_EQ(gl.IsEnabled(GL_SCISSOR_TEST), GL_TRUE);
+        EXPECT_EQ(gl.IsEnabled(GL_PROGRAM_POINT_SIZE), GL_FALSE);
+        EXPECT_EQ(gl.IsEnabled(GL_BLEND), GL_FALSE);
+        EXPECT_EQ(gl.IsEnabled(GL_DEPTH_TEST), GL_FALSE);
+        GLint viewport[4] = {};
+        gl.GetIntegerv(GL_VIEWPORT, viewport);
+        EXPECT_EQ(viewport[3], 4);
+        GLint depthFunc = 0;
+        gl.GetIntegerv(GL_DEPTH_FUNC, &depthFunc);
+        EXPECT_EQ(depthFunc, GL_GREATER);
+        GLint framebuffer = -1;
+        gl.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
+        EXPECT_EQ(framebuffer, 0);
+    };
+    ScatterOptions points;
+    points.directions = 16;
+    ShadowOptions maps;
+    maps.directions = 16;
+    maps.depthSize = 64;
+    for (const auto& baker : {scatter(floorBesideShortWall(), points).release(),
+                              shadow(floorBesideShortWall(), maps).release()}) {
+        const std::unique_ptr<AbstractBaker> owner(baker);
+        MapOptions options;
+        options.width = options.height = 16;
+        double last = -1.0;
+        EXPECT_TRUE(owner
+                        ->bakeMaps(options,
+                                   [&](double fraction) {
+                                       expectHost();
+                                       EXPECT_GE(fraction, last);
+                                       last = fraction;
+                                       return true;
+                                   })
+                        .ok());
+        EXPECT_EQ(last, 1.0);
+        expectHost();
+        const auto cancelled = owner->bakeMaps(options, [](double done) { return done < 0.4; });
+        EXPECT_EQ(cancelled.status().code(), StatusCode::Cancelled);
+        expectHost();
+    }
+}
+
+TEST_P(GpuBakerGLTest, SameSeedsGiveTheSameMaps) {
+    ScatterOptions options;
+    options.directions = 8;
+    const BakedMap first = onlyMap(*scatter(floorBesideShortWall(), options), 16);
+    EXPECT_EQ(first.visibility, onlyMap(*scatter(floorBesideShortWall(), options), 16).visibility);
+    options.seed = 3;
+    EXPECT_NE(first.visibility, onlyMap(*scatter(floorBesideShortWall(), options), 16).visibility);
+}
+
+TEST_P(GpuBakerGLTest, EveryMisuseHasItsCode) {
+    ScatterOptions points;
+    points.directions = 0;
+    EXPECT_EQ(createScatterBaker(loader, floorBesideShortWall(), points).status().code(),
+              StatusCode::InvalidOption);
+    ShadowOptions maps;
+    maps.mapsPerPass = 17;
+    EXPECT_EQ(createShadowBaker(loader, floorBesideShortWall(), maps).status().code(),
+              StatusCode::InvalidOption);
+    EXPECT_EQ(createScatterBaker(loader, {}, {}).status().code(), StatusCode::EmptyMesh);
+    const ProcAddressLoader none = [](const char*) -> void* { return nullptr; };
+    EXPECT_EQ(createShadowBaker(none, floorBesideShortWall(), {}).status().code(),
+              StatusCode::NoContext);
+    BakeScene blind = floorBesideShortWall();
+    blind.surfaces[0].uvs.clear();
+    EXPECT_EQ(scatter(blind, {})->bakeMaps({}, {}).status().code(), StatusCode::InvalidPosition);
+}
+
+AOLIB_FOR_ALL_CONTEXTS(GpuBakerGLTest);
+// Contexts share one rasteriser; what takes seconds is done in one of them.
+INSTANTIATE_TEST_SUITE_P(One, BakeAccuracyGLTest, testing::Values(testContexts().front()), nameOf);
+
+} // namespace
+
+} // namespace aolib::bake::test

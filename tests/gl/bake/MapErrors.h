@@ -1,0 +1,19 @@
+#pragma once
+
+#include <aolib/bake/AbstractBaker.h>
+
+namespace aolib::bake::test {
+
+/// How far a map is from another one. Texels at seams are those a chart's border goes through, and
+/// those beside them.
+struct MapErrors {
+    double inside = 0.0;    ///< RMSE of W away from seams
+    double seams = 0.0;     ///< RMSE of W at seams
+    double bias = 0.0;      ///< mean of W's difference, away from seams
+    double bentAngle = 0.0; ///< mean angle between bent normals where 0.1 < W < 0.9, degrees
+    int compared = 0;       ///< texels
+};
+
+MapErrors errorsOf(const BakedMap& map, const BakedMap& truth);
+
+} // namespace aolib::bake::test

@@ -1,7 +1,6 @@
 #include "backbone/cubemapped/BackboneCubemapped.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <string>
 
@@ -9,7 +8,6 @@
 
 #include "backbone/Estimators.h"
 #include "backbone/cubemapped/Placement.h"
-#include "backbone/cubemapped/RasterTexels.h"
 #include "shared/cube_faces.h"
 
 namespace aolib {
@@ -18,8 +16,6 @@ namespace {
 
 /// Texels this many times as wide as the pixels that show them are too coarse for edges.
 constexpr float kCoarse = 1.25F;
-/// Frames over which a complete cube map comes in: its quality rises from kNewcomer to its own.
-constexpr int kFramesToComeIn = 32;
 
 template <typename Part>
 Status make(std::optional<Part>& part, const BackboneContext& context) {
@@ -52,43 +48,12 @@ BackboneCubemapped::create(const BackboneContext& context) {
     then(backbone->repair_);
     then(backbone->outlines_);
     if (status && context.options.estimator != Estimator::RayTraced) {
-        status = backbone->source().status(); // fails here rather than in a frame
+        status = backbone->schedule_.chooseSource(); // fails here rather than in a frame
     }
     if (!status) {
         return status;
     }
     return std::unique_ptr<AbstractBackbone>(std::move(backbone));
-}
-
-Result<AbstractTexelSource*> BackboneCubemapped::source() {
-    if (context_.options.estimator == Estimator::RayTraced) {
-        if (!context_.tracer) {
-            return Status(StatusCode::MissingCapability,
-                          "Estimator::RayTraced needs a tracer; give one by setTexelTracer, as "
-                          "createTexelTracer() of aolib/RayTracing.h makes it");
-        }
-        if (context_.scene.meshes().empty()) {
-            return Status(StatusCode::NoScene,
-                          "Estimator::RayTraced needs triangles: rays do not meet what a scene "
-                          "renderer draws");
-        }
-        if (!traced_) {
-            tracerQueue_ = std::make_unique<TracerQueue>(*context_.tracer);
-            tracerQueue_->setScene(context_.scene);
-            traced_ = std::make_unique<RayTracedTexels>(context_, store_, details_, *tracerQueue_);
-            traced_->setRadius(radius());
-        }
-        return static_cast<AbstractTexelSource*>(traced_.get());
-    }
-    if (!raster_) {
-        auto raster =
-            RasterTexels::create(context_, sceneGeometry_, store_, [this] { return radius(); });
-        if (!raster) {
-            return raster.status();
-        }
-        raster_ = std::move(*raster);
-    }
-    return raster_.get();
 }
 
 // ---- Cube maps by hand --------------------------------------------------------------------------
@@ -110,12 +75,11 @@ Result<CubeMapId> BackboneCubemapped::addCubeMap(const glm::vec3& position) {
     }
     projectors_.push_back(std::make_unique<CubeMapProjector>(std::move(*projector)));
     CubeMapProjector& placed = *projectors_.back();
-    if (atOnce()) {
-        if (Status status = compute({&placed}); !status) {
+    if (schedule_.atOnce()) {
+        if (Status status = schedule_.compute({&placed}); !status) {
             removeCubeMap(placed.id());
             return status;
         }
-        bringIn({&placed});
     }
     cubeMapsChanged();
     return CubeMapId{nextId_++};
@@ -126,7 +90,7 @@ Status BackboneCubemapped::removeCubeMap(CubeMapId id) {
     if (found == projectors_.end()) {
         return unknown(id);
     }
-    forget(id);
+    schedule_.forget(id);
     (*found)->dropDetails(store_, details_);
     (*found)->dropFaces(store_);
     std::erase(projected_, found->get());
@@ -158,18 +122,8 @@ Result<CubeMapImage> BackboneCubemapped::readCubeMap(CubeMapId id) {
     return (*found)->read(context_.gl, store_);
 }
 
-void BackboneCubemapped::forget(CubeMapId id) {
-    if (raster_) {
-        raster_->forget(id);
-    }
-    if (traced_) {
-        traced_->forget(id);
-    }
-}
-
 void BackboneCubemapped::dropTracer() {
-    traced_.reset();
-    tracerQueue_.reset();
+    schedule_.dropTracer();
     repair_->restart();
     if (context_.options.estimator == Estimator::RayTraced) {
         markAllDirty();
@@ -198,7 +152,7 @@ void BackboneCubemapped::markAllDirty() {
 void BackboneCubemapped::optionsChanged(const Options& before) {
     if (before.estimator != context_.options.estimator) {
         for (const auto& projector : projectors_) {
-            forget(projector->id()); // what another source holds
+            schedule_.forget(projector->id()); // what another source holds
         }
     }
     if (!sameEstimate(before, context_.options)) { // the radius is watched where it is used
@@ -232,15 +186,11 @@ Status BackboneCubemapped::followScene() {
         markAllDirty(); // the changes are taken and will not come again
         return status;
     }
-    if (traced_ && !changes.empty()) {
-        tracerQueue_->setScene(context_.scene);
-        traced_->sceneChanged();
+    if (!changes.empty()) {
+        schedule_.sceneChanged();
         repair_->restart();
     }
     const float reach = radius();
-    if (traced_) {
-        traced_->setRadius(reach);
-    }
     if (reach != builtRadius_) {
         builtRadius_ = reach;
         markAllDirty();
@@ -251,7 +201,7 @@ Status BackboneCubemapped::followScene() {
         for (const auto& projector : projectors_) {
             // What it keeps does not tell what a capture on its way sees, nor may it begin again
             // with each step of something that moves out of sight. Other meshes, other numbers.
-            const bool capturing = raster_ && raster_->capturing(projector->id());
+            const bool capturing = schedule_.capturing(projector->id());
             projector->outdated = projector->outdated || capturing;
             projector->dirty = projector->dirty || (capturing && change.geometry) ||
                                sight_->sees(context_, *projector, store_, region);
@@ -318,61 +268,8 @@ void BackboneCubemapped::heedSurvey(const std::vector<CubeMapProjector*>& projec
     }
 }
 
-Status BackboneCubemapped::compute(const std::vector<CubeMapProjector*>& projectors) {
-    const auto texels = source();
-    if (!texels) {
-        return texels.status();
-    }
-    passes_ = (*texels)->passes();
-    for (CubeMapProjector* projector : projectors) {
-        const bool again = projector->outdated && !(*texels)->capturing(projector->id());
-        const bool begins = projector->dirty || again;
-        if (begins) {
-            projector->outdated = false;
-            forget(projector->id());
-            repair_->lookAgain();
-            projector->dropDetails(store_, details_);
-            projector->buildMs = 0.0;
-            projector->tiles.restart();
-            ++builtInFrame_;
-        }
-        if (atOnce() && (begins || (*texels)->lacks(*projector))) {
-            projector->tiles.askAll();
-            if (Status status = (*texels)->complete(*projector); !status) {
-                return status;
-            }
-        }
-        projector->dirty = false;
-    }
-    if (atOnce()) {
-        return {};
-    }
-    const auto lacking = std::find_if(projectors.begin(), projectors.end(),
-                                      [&](const auto* one) { return (*texels)->lacks(*one); });
-    const auto start = std::chrono::steady_clock::now();
-    Status status =
-        (*texels)->advance(projectors, static_cast<double>(context_.options.frameBudget));
-    if (lacking != projectors.end()) { // the one that is worked on
-        const std::chrono::duration<double, std::milli> spent =
-            std::chrono::steady_clock::now() - start;
-        (*lacking)->buildMs += spent.count();
-    }
-    return status;
-}
-
-void BackboneCubemapped::bringIn(const std::vector<CubeMapProjector*>& projectors) {
-    for (CubeMapProjector* projector : projectors) {
-        if (atOnce()) {
-            projector->bias = 0.0F;
-        } else if (projector->bias < 0.0F && projector->shown && !projector->tiles.lacks(passes_)) {
-            const float step = CubeMapProjector::kNewcomer / kFramesToComeIn;
-            projector->bias = std::min(projector->bias - step, 0.0F);
-        }
-    }
-}
-
 Status BackboneCubemapped::prepare(const Frame& frame) {
-    builtInFrame_ = 0;
+    schedule_.beginFrame();
     projected_.clear();
     followFaceSize();
     if (Status status = followScene(); !status) {
@@ -386,19 +283,15 @@ Status BackboneCubemapped::prepare(const Frame& frame) {
         return {};
     }
     const std::vector<CubeMapProjector*> used = nearest(frame.position);
-    if (Status status = compute(used); !status) {
+    if (Status status = schedule_.compute(used); !status) {
         return status;
     }
-    bringIn(used);
-    const auto texels = source();
-    if (!texels) {
-        return texels.status();
+    if (schedule_.begun() > 0) {
+        repair_->lookAgain();
     }
     texelsComplete_ = true;
     for (CubeMapProjector* projector : used) {
-        // One that no survey has looked at yet has not begun.
-        texelsComplete_ = texelsComplete_ && projector->shown && projector->bias >= 0.0F &&
-                          !(*texels)->lacks(*projector);
+        texelsComplete_ = texelsComplete_ && schedule_.finished(*projector);
         if (projector->shown) {
             projected_.push_back(projector);
         }
@@ -408,20 +301,21 @@ Status BackboneCubemapped::prepare(const Frame& frame) {
 
 Status BackboneCubemapped::repair(const Frame& frame) {
     repair_->follow(frame);
-    if (!context_.options.rayTraced.repair || !tracerQueue_ ||
+    TracerQueue* tracer = schedule_.tracer();
+    if (!context_.options.rayTraced.repair || tracer == nullptr ||
         context_.options.estimator != Estimator::RayTraced || projected_.empty()) {
         repair_->restart();
         converged_ = texelsComplete_;
         return {};
     }
     if (!repair_->tracing()) {
-        tracerQueue_->drop(TracerQueue::Asker::Pixels); // the view has moved
+        tracer->drop(TracerQueue::Asker::Pixels); // the view has moved
     }
     Status status;
     if (texelsComplete_ && repair_->rests() && !repair_->done()) {
-        const double budget = atOnce() ? HUGE_VAL : double{context_.options.frameBudget};
-        status = repair_->advance(context_, frame, host_, {store_, details_}, projected_,
-                                  *tracerQueue_, radius(), budget);
+        const double budget = schedule_.atOnce() ? HUGE_VAL : double{context_.options.frameBudget};
+        status = repair_->advance(context_, frame, host_, {store_, details_}, projected_, *tracer,
+                                  radius(), budget);
     }
     converged_ = texelsComplete_ && repair_->done();
     return status;
@@ -462,12 +356,12 @@ void BackboneCubemapped::addStatistics(Statistics& statistics) {
     statistics.coverage = shownSurvey_.shaded;
     statistics.coverageFrame = shownSurvey_.frame;
     statistics.cubeMapsProjected = static_cast<int>(projected_.size());
-    statistics.cubeMapsBuilt = builtInFrame_;
+    statistics.cubeMapsBuilt = schedule_.begun();
     statistics.converged = converged_;
     statistics.pixelsTraced = repair_->pixels();
     TileProgress::Share sum;
     for (const CubeMapProjector* projector : projected_) {
-        const TileProgress::Share share = projector->tiles.share(passes_);
+        const TileProgress::Share share = projector->tiles.share(schedule_.passes());
         sum.done += share.done;
         sum.needed += share.needed;
     }
@@ -477,7 +371,7 @@ void BackboneCubemapped::addStatistics(Statistics& statistics) {
     statistics.bytesFrame += projection_->bytes() + repair_->bytes();
     statistics.bytesScene = sceneGeometry_.bytes();
     statistics.bytesKept = store_.bytes() + details_.bytes();
-    statistics.bytesBuilding = raster_ ? raster_->bytes() : 0;
+    statistics.bytesBuilding = schedule_.bytes();
 }
 
 } // namespace aolib

@@ -6,10 +6,9 @@
 
 #include "backbone/AbstractBackbone.h"
 #include "backbone/SceneGeometry.h"
-#include "backbone/cubemapped/AbstractTexelSource.h"
+#include "backbone/cubemapped/BuildSchedule.h"
 #include "backbone/cubemapped/CubeMapOutlines.h"
 #include "backbone/cubemapped/Projection.h"
-#include "backbone/cubemapped/RayTracedTexels.h"
 #include "backbone/cubemapped/SightTest.h"
 #include "backbone/cubemapped/Survey.h"
 #include "backbone/cubemapped/ViewRepair.h"
@@ -36,7 +35,8 @@ public:
 
 private:
     explicit BackboneCubemapped(const BackboneContext& context)
-        : AbstractBackbone(context), store_(context.gl), details_(context.gl) {}
+        : AbstractBackbone(context), store_(context.gl), details_(context.gl),
+          schedule_(context, sceneGeometry_, store_, details_, [this] { return radius(); }) {}
 
     Status prepare(const Frame& frame) override;
     bool shadesDirectly() const override;
@@ -46,29 +46,19 @@ private:
     Status finishFrame(const Frame& frame) override;
     void addStatistics(Statistics& statistics) override;
 
-    /// The source that the options' estimator takes its texels from. Errors: ShaderError,
-    /// OutOfMemory, MissingCapability.
-    Result<AbstractTexelSource*> source();
     /// Follows the scene: uploads, and marks the cube maps that see a change.
     Status followScene();
     /// Follows the options' face size.
     void followFaceSize();
     void markAllDirty();
     void cubeMapsChanged();
-    /// Drops what the sources hold for a cube map.
-    void forget(CubeMapId id);
     /// Places a cube map at the camera if one is due.
     Status placeWhereDue(const Frame& frame);
     /// Takes the survey's answers: coverage, and what cube maps are asked for.
     void heedSurvey(const std::vector<CubeMapProjector*>& projectors);
-    /// Computes what the frame's cube maps lack: all of it, or as much as the budget allows.
-    Status compute(const std::vector<CubeMapProjector*>& projectors);
     /// Traces the pixels of a view at rest that complete cube maps do not tell.
     Status repair(const Frame& frame);
     KeptTexels kept() const;
-    /// Lets cube maps that are complete come in over a few frames.
-    void bringIn(const std::vector<CubeMapProjector*>& projectors);
-    bool atOnce() const { return context_.options.frameBudget <= 0.0F; }
     /// The cube maps to work on in a frame, nearest first.
     std::vector<CubeMapProjector*> nearest(const glm::vec3& camera) const;
     std::vector<std::unique_ptr<CubeMapProjector>>::iterator find(CubeMapId id);
@@ -76,11 +66,8 @@ private:
     SceneGeometry sceneGeometry_;
     FaceStore store_;
     DetailStore details_;
-    std::unique_ptr<AbstractTexelSource> raster_;
-    std::unique_ptr<TracerQueue> tracerQueue_;
-    std::unique_ptr<RayTracedTexels> traced_;
+    BuildSchedule schedule_;
     std::optional<ViewRepair> repair_;
-    int passes_ = 1; ///< of the source in use
     std::optional<Projection> projection_;
     std::optional<Survey> survey_;
     std::optional<SightTest> sight_;
@@ -94,7 +81,6 @@ private:
     Survey::Answer shownSurvey_{.frame = 0, .shaded = -1.0F, .points = {}, .footprints = {}};
     std::uint64_t framesSurveyed_ = 0;
     std::vector<CubeMapProjector*> projected_; ///< in the latest frame
-    int builtInFrame_ = 0;
     bool texelsComplete_ = true; ///< of the cube maps in use, as far as views ask for them
     bool converged_ = true;      ///< and nothing is left to repair
 };

@@ -1,0 +1,137 @@
+#include "backbone/cubemapped/BuildSchedule.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "backbone/cubemapped/RasterTexels.h"
+
+namespace aolib {
+
+namespace {
+
+/// Frames over which a complete cube map comes in: its quality rises from kNewcomer to its own.
+constexpr int kFramesToComeIn = 32;
+
+} // namespace
+
+// ---- Where texels come from ---------------------------------------------------------------------
+
+Status BuildSchedule::chooseSource() {
+    if (context_.options.estimator == Estimator::RayTraced) {
+        if (!context_.tracer) {
+            return {StatusCode::MissingCapability,
+                    "Estimator::RayTraced needs a tracer; give one by setTexelTracer, as "
+                    "createTexelTracer() of aolib/RayTracing.h makes it"};
+        }
+        if (context_.scene.meshes().empty()) {
+            return {StatusCode::NoScene,
+                    "Estimator::RayTraced needs triangles: rays do not meet what a scene renderer "
+                    "draws"};
+        }
+        if (!traced_) {
+            tracerQueue_ = std::make_unique<TracerQueue>(*context_.tracer);
+            tracerQueue_->setScene(context_.scene);
+            traced_ = std::make_unique<RayTracedTexels>(context_, store_, details_, *tracerQueue_);
+        }
+        traced_->setRadius(radius_());
+        source_ = traced_.get();
+    } else {
+        if (!raster_) {
+            auto raster = RasterTexels::create(context_, geometry_, store_, radius_);
+            if (!raster) {
+                return raster.status();
+            }
+            raster_ = std::move(*raster);
+        }
+        source_ = raster_.get();
+    }
+    passes_ = source_->passes();
+    return {};
+}
+
+void BuildSchedule::sceneChanged() {
+    if (traced_) {
+        tracerQueue_->setScene(context_.scene);
+        traced_->sceneChanged();
+    }
+}
+
+void BuildSchedule::dropTracer() {
+    source_ = nullptr;
+    traced_.reset();
+    tracerQueue_.reset();
+}
+
+void BuildSchedule::forget(CubeMapId id) {
+    if (raster_) {
+        raster_->forget(id);
+    }
+    if (traced_) {
+        traced_->forget(id);
+    }
+}
+
+// ---- When they are computed ---------------------------------------------------------------------
+
+Status BuildSchedule::compute(const std::vector<CubeMapProjector*>& projectors) {
+    if (Status status = chooseSource(); !status) {
+        return status;
+    }
+    for (CubeMapProjector* projector : projectors) {
+        const bool again = projector->outdated && !source_->capturing(projector->id());
+        const bool begins = projector->dirty || again;
+        if (begins) {
+            begin(*projector);
+        }
+        if (atOnce() && (begins || source_->lacks(*projector))) {
+            projector->tiles.askAll();
+            if (Status status = source_->complete(*projector); !status) {
+                return status;
+            }
+        }
+        projector->dirty = false;
+    }
+    const Status status = atOnce() ? Status() : advance(projectors);
+    for (CubeMapProjector* projector : projectors) {
+        bringIn(*projector);
+    }
+    return status;
+}
+
+void BuildSchedule::begin(CubeMapProjector& projector) {
+    forget(projector.id());
+    projector.outdated = false;
+    projector.dropDetails(store_, details_);
+    projector.buildMs = 0.0;
+    projector.tiles.restart();
+    ++begun_;
+}
+
+Status BuildSchedule::advance(const std::vector<CubeMapProjector*>& projectors) {
+    const auto lacking = std::find_if(projectors.begin(), projectors.end(),
+                                      [&](const auto* one) { return source_->lacks(*one); });
+    const auto start = std::chrono::steady_clock::now();
+    Status status = source_->advance(projectors, static_cast<double>(context_.options.frameBudget));
+    if (lacking != projectors.end()) { // the one that is worked on
+        const std::chrono::duration<double, std::milli> spent =
+            std::chrono::steady_clock::now() - start;
+        (*lacking)->buildMs += spent.count();
+    }
+    return status;
+}
+
+void BuildSchedule::bringIn(CubeMapProjector& projector) const {
+    if (atOnce()) {
+        projector.bias = 0.0F;
+    } else if (projector.bias < 0.0F && projector.shown && !projector.tiles.lacks(passes_)) {
+        const float step = CubeMapProjector::kNewcomer / kFramesToComeIn;
+        projector.bias = std::min(projector.bias - step, 0.0F);
+    }
+}
+
+bool BuildSchedule::finished(const CubeMapProjector& projector) const {
+    // One that no survey has looked at yet has not begun.
+    return projector.shown && projector.bias >= 0.0F && !source_->lacks(projector);
+}
+
+} // namespace aolib

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "backbone/SceneGeometry.h"
+#include "backbone/cubemapped/RayTracedTexels.h"
+
+namespace aolib {
+
+/// What computes the cube maps of frames, and when: all of one in the call that needs it, or as
+/// much in a frame as the budget allows.
+class BuildSchedule {
+public:
+    /// @param radius  asks for the reach of occluders, world units. All others outlive it.
+    BuildSchedule(const BackboneContext& context, const SceneGeometry& geometry, FaceStore& store,
+                  DetailStore& details, std::function<float()> radius)
+        : context_(context), geometry_(geometry), store_(store), details_(details),
+          radius_(std::move(radius)) {}
+
+    /// Makes the source that the options' estimator takes its texels from.
+    /// Errors: ShaderError, OutOfMemory, MissingCapability.
+    Status chooseSource();
+    /// The scene is another.
+    void sceneChanged();
+    /// The tracer is about to be exchanged.
+    void dropTracer();
+    /// What asks the tracer; null until something was traced.
+    TracerQueue* tracer() const { return tracerQueue_.get(); }
+    /// Drops what is held for a cube map on its way.
+    void forget(CubeMapId id);
+    /// Whether a cube map is about to look at the scene, over several frames.
+    bool capturing(CubeMapId id) const { return raster_ && raster_->capturing(id); }
+
+    bool atOnce() const { return context_.options.frameBudget <= 0.0F; }
+    /// Computes what cube maps lack, the first ones first: all of it, or as much as the budget
+    /// allows. Lets those that are complete come in over a few frames.
+    /// Errors: as chooseSource(), and those of the source.
+    Status compute(const std::vector<CubeMapProjector*>& projectors);
+    /// Whether nothing is left to do for a cube map.
+    bool finished(const CubeMapProjector& projector) const;
+    /// Passes that a tile needs.
+    int passes() const { return passes_; }
+    void beginFrame() { begun_ = 0; }
+    /// Cube maps that were begun, or begun again, since beginFrame().
+    int begun() const { return begun_; }
+    /// GPU memory of what is on its way.
+    std::size_t bytes() const { return raster_ ? raster_->bytes() : 0; }
+
+private:
+    void begin(CubeMapProjector& projector);
+    Status advance(const std::vector<CubeMapProjector*>& projectors);
+    void bringIn(CubeMapProjector& projector) const;
+
+    const BackboneContext context_;
+    const SceneGeometry& geometry_;
+    FaceStore& store_;
+    DetailStore& details_;
+    std::function<float()> radius_;
+    std::unique_ptr<AbstractTexelSource> raster_;
+    std::unique_ptr<TracerQueue> tracerQueue_;
+    std::unique_ptr<RayTracedTexels> traced_;
+    AbstractTexelSource* source_ = nullptr; ///< the one in use
+    int passes_ = 1;
+    int begun_ = 0;
+};
+
+} // namespace aolib

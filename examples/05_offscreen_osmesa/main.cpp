@@ -1,6 +1,6 @@
 // A host without a window, a display or a graphics card: Mesa draws into the program's own memory.
 //
-// aolib: 14 lines, between the marks.
+// aolib: 15 lines, between the marks.
 #include <exception>
 
 #include "Renderer.h" // its header of OpenGL before OSMesa's older one
@@ -48,6 +48,7 @@ int run(const stage::Arguments& arguments) {
         auto ao = aolib::AmbientOcclusion::create(loadFunction,
                                                   {.estimator = aolib::Estimator::LayeredIntervals,
                                                    .radius = 1.5F,
+                                                   .frameBudget = 0.0F,
                                                    .cubeMaps = {.faceSize = 256}});
         if (!ao || !ao->addMesh({scene.positions, scene.normals, scene.indices})) {
             return stage::fail(ao ? ao->lastStatus().message() : ao.status().message());

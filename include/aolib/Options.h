@@ -98,8 +98,9 @@ struct Options {
     HorizonSplitOptions horizonSplit{};
     LayeredIntervalsOptions layeredIntervals{};
     RayTracedOptions rayTraced{};
-    /// Milliseconds that computing cube maps may take in a frame; 0 computes a cube map at once.
-    float frameBudget = 0.0F;
+    /// Milliseconds that computing cube maps may take in a frame: they get better over many. 0
+    /// computes each at once, in the call that needs it.
+    float frameBudget = 4.0F;
     CubeMapOptions cubeMaps{};
     BlurOptions blur{};
     DebugView debugView = DebugView::None;

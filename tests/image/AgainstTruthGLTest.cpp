@@ -59,6 +59,7 @@ std::string nameOf(const Bound& bound) {
 
 Options optionsFor(const Model& model, float radius) {
     Options options;
+    options.frameBudget = 0.0F;
     options.estimator = Estimator::HorizonSplit;
     options.radius = radius * model.bounds().diagonal();
     return options;

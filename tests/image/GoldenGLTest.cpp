@@ -25,6 +25,7 @@ class GoldenGLTest : public GLTest {
 protected:
     void expectGolden(const SceneView& view, float radius, const std::string& name) {
         Options options;
+        options.frameBudget = 0.0F;
         options.estimator = Estimator::HorizonSplit;
         options.radius = radius;
         options.horizonSplit = {.directions = 16, .steps = 16};

@@ -7,38 +7,8 @@
 
 namespace aolib {
 
-void StabilityTest::SetUp() {
-    auto context = createContext(
-        {.api = ContextRequest::Api::Egl, .profile = ContextRequest::Profile::Core, .debug = true});
-    if (!context && context.status().code() == StatusCode::MissingCapability) {
-        GTEST_SKIP() << "NOT TESTED: " << context.status().message();
-    }
-    ASSERT_TRUE(context.ok()) << context.status().message();
-    context_ = std::move(*context);
-    loader = context_->loader();
-    auto functions = gl::Functions::load(loader);
-    ASSERT_TRUE(functions.ok()) << functions.status().message();
-    gl = *functions;
-    getError_ = reinterpret_cast<PFNGLGETERRORPROC>(loader("glGetError"));
-    if (context_->info().debug) {
-        auto log = DebugLog::install(loader);
-        ASSERT_TRUE(log.ok()) << log.status().message();
-        log_ = std::move(*log);
-    }
-}
-
-void StabilityTest::TearDown() {
-    if (getError_ != nullptr) {
-        EXPECT_EQ(getError_(), static_cast<GLenum>(GL_NO_ERROR)) << "a GL error was left behind";
-    }
-    if (log_ != nullptr) {
-        EXPECT_EQ(log_->text(), "") << "the driver complained";
-        log_.reset();
-    }
-}
-
 Options StabilityTest::options(float radius) {
-    Options options;
+    Options options = atOnce();
     options.estimator = GetParam();
     options.radius = radius;
     options.rayTraced.rays = 64;

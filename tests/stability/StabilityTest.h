@@ -16,16 +16,14 @@ struct Shot {
     glm::mat4 projection{1.0F};
 };
 
-/// A test of one estimator in a context of its own, EGL and core. Fails when the driver says
-/// anything above notification or when a GL error is left behind.
-class StabilityTest : public testing::TestWithParam<Estimator> {
+/// A test of one estimator, EGL and core.
+class StabilityTest : public ContextTest, public testing::WithParamInterface<Estimator> {
 protected:
     static constexpr int kWidth = 160;   ///< of pictures, pixels
     static constexpr int kHeight = 90;   ///< of pictures, pixels
     static constexpr int kFaceSize = 64; ///< of cube maps, texels
 
-    void SetUp() override;
-    void TearDown() override;
+    void SetUp() override { open({ContextRequest::Api::Egl, ContextRequest::Profile::Core}); }
 
     /// This estimator's default settings, small faces, cube maps placed by hand.
     static Options options(float radius);
@@ -40,14 +38,6 @@ protected:
                const std::vector<glm::vec3>& cubeMaps, int width = kWidth, int height = kHeight);
     /// A sound frame of a host, and what all its cube maps hold.
     static Shot shoot(SmallHost& host);
-
-    gl::Functions gl;
-    ProcAddressLoader loader;
-
-private:
-    std::unique_ptr<GlContext> context_;
-    std::unique_ptr<DebugLog> log_;
-    PFNGLGETERRORPROC getError_ = nullptr;
 };
 
 /// W in [0,1] or -1 for background, in every pixel; a failure names the first that is neither.

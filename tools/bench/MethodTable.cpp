@@ -13,14 +13,15 @@ std::string across(int slices, int steps) {
     return std::to_string(slices) + "x" + std::to_string(steps);
 }
 
-Options withoutPlacement() {
+Options atOnce() {
     Options options;
+    options.frameBudget = 0.0F;
     options.cubeMaps.place = false;
     return options;
 }
 
 Method horizonCube(int directions, int steps, int faceSize) {
-    Options options = withoutPlacement();
+    Options options = atOnce();
     options.estimator = Estimator::HorizonSplit;
     options.horizonSplit = {.directions = directions, .steps = steps};
     options.cubeMaps.faceSize = faceSize;
@@ -30,7 +31,7 @@ Method horizonCube(int directions, int steps, int faceSize) {
 }
 
 Method layeredCube(int slices, int steps, int faceSize, int cubeMaps, bool standard = true) {
-    Options options = withoutPlacement();
+    Options options = atOnce();
     options.estimator = Estimator::LayeredIntervals;
     options.layeredIntervals.slices = slices;
     options.layeredIntervals.steps = steps;
@@ -45,7 +46,7 @@ Method layeredCube(int slices, int steps, int faceSize, int cubeMaps, bool stand
 }
 
 Method rayTracedCube(int rays, int faceSize, int cubeMaps = 1) {
-    Options options = withoutPlacement();
+    Options options = atOnce();
     options.estimator = Estimator::RayTraced;
     options.rayTraced.rays = rays;
     options.frameBudget = 5.0F;

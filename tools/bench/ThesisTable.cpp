@@ -58,6 +58,7 @@ int ThesisSetting::value() const {
 Options ThesisSetting::options() const {
     Options options;
     options.estimator = estimator;
+    options.frameBudget = 0.0F;
     options.cubeMaps.place = false;
     options.cubeMaps.faceSize = faceSize;
     options.cubeMaps.nearest = cubeMaps;

@@ -96,6 +96,7 @@ private:
 
 Options smallOptions() {
     Options options;
+    options.frameBudget = 0.0F;
     options.cubeMaps.place = false;
     options.cubeMaps.faceSize = 256;
     options.horizonSplit = {.directions = 4, .steps = 4};

@@ -11,12 +11,12 @@ namespace {
 class AccuracyGLTest : public GLTest {
 protected:
     static Options horizonSplit() {
-        Options options;
+        Options options = atOnce();
         options.cubeMaps.faceSize = 256;
         return options;
     }
     static Options layeredIntervals() {
-        Options options;
+        Options options = atOnce();
         options.estimator = Estimator::LayeredIntervals;
         options.cubeMaps.faceSize = 128;
         return options;

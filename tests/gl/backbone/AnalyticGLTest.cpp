@@ -9,7 +9,7 @@ namespace {
 class AnalyticGLTest : public GLTest {
 protected:
     static Options exact(float radius) {
-        Options options;
+        Options options = atOnce();
         options.radius = radius;
         options.horizonSplit = {.directions = 32, .steps = 96, .stepSize = 0.0F};
         options.cubeMaps.faceSize = 128;

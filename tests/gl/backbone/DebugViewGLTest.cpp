@@ -13,7 +13,7 @@ protected:
         if (IsSkipped()) {
             return;
         }
-        Options options;
+        Options options = atOnce();
         options.radius = 1.0F;
         options.cubeMaps.faceSize = 128;
         host_ = std::make_unique<SmallHost>(gl, loader, boxOnFloor(), options);

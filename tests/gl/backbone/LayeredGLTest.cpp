@@ -9,7 +9,7 @@ namespace {
 class LayeredGLTest : public GLTest {
 protected:
     static Options options(Falloff falloff = Falloff::None, float radius = 1.0F) {
-        Options o;
+        Options o = atOnce();
         o.estimator = Estimator::LayeredIntervals;
         o.falloff = falloff;
         o.radius = radius;

@@ -15,7 +15,7 @@ Model corridor() {
 }
 
 Options options() {
-    Options o;
+    Options o = atOnce();
     o.radius = 1.0F;
     o.cubeMaps.faceSize = 128;
     return o;

@@ -7,7 +7,7 @@ namespace aolib {
 namespace {
 
 Options options() {
-    Options o;
+    Options o = atOnce();
     o.radius = 1.5F;
     o.cubeMaps.faceSize = 256;
     o.cubeMaps.place = false;

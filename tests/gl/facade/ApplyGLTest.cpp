@@ -15,7 +15,7 @@ constexpr glm::ivec2 kSize{kWidth, kHeight};
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
 Options radiusOne(Backbone backbone = Backbone::Cubemapped) {
-    Options options;
+    Options options = atOnce();
     options.backbone = backbone;
     options.estimator = Estimator::LayeredIntervals;
     options.radius = 1.0F;

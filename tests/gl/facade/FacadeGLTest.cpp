@@ -17,7 +17,7 @@ Model boxModel() {
 
 class FacadeGLTest : public GLTest {
 protected:
-    AmbientOcclusion make(const Options& options = {}) {
+    AmbientOcclusion make(const Options& options = atOnce()) {
         auto ao = AmbientOcclusion::create(loader, options);
         EXPECT_TRUE(ao.ok()) << ao.status().message();
         return std::move(*ao);
@@ -98,7 +98,7 @@ TEST_P(FacadeGLTest, CubeMapsNeedASceneAndAPlace) {
 }
 
 TEST_P(FacadeGLTest, ACubeMapTooLargeForTheContextIsRefused) {
-    Options options;
+    Options options = atOnce();
     options.cubeMaps.faceSize = 4096;
     AmbientOcclusion ao = make(options);
     const std::vector<glm::vec3> positions{{-1, 0, -1}, {1, 0, -1}, {0, 0, 1}};

@@ -10,7 +10,7 @@ namespace aolib {
 namespace {
 
 Options radiusOne() {
-    Options options;
+    Options options = atOnce();
     options.radius = 1.0F;
     options.cubeMaps.faceSize = 128;
     return options;

@@ -5,7 +5,7 @@ namespace aolib {
 namespace {
 
 Options options() {
-    Options o;
+    Options o = atOnce();
     o.radius = 1.0F;
     o.cubeMaps.faceSize = 64;
     o.cubeMaps.place = false;

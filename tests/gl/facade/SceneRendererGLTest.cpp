@@ -9,7 +9,7 @@ namespace aolib {
 namespace {
 
 Options radiusOne(Estimator estimator) {
-    Options options;
+    Options options = atOnce();
     options.estimator = estimator;
     options.radius = 1.0F;
     options.cubeMaps.faceSize = 128;

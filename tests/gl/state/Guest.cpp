@@ -21,7 +21,7 @@ constexpr std::size_t kMaxCubeMaps = 4;
 } // namespace
 
 Options smallOptions() {
-    Options options;
+    Options options = atOnce();
     options.radius = 2.0F;
     options.horizonSplit = {.directions = 2, .steps = 3};
     options.layeredIntervals = {.slices = 1, .steps = 3, .layers = 2};

@@ -342,6 +342,7 @@ FloatImage HostKindsGLTest::colours(const CameraKind& camera, const Framebuffer&
 double HostKindsGLTest::error(const CameraKind& camera, const Framebuffer& kind) {
     if (!ao_) {
         Options options;
+        options.frameBudget = 0.0F;
         options.estimator = Estimator::LayeredIntervals;
         options.radius = 1.5F;
         options.cubeMaps.faceSize = 256;

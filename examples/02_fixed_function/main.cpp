@@ -44,7 +44,8 @@ void light() {
     glLightfv(GL_LIGHT0, GL_POSITION, above);
     glLightfv(GL_LIGHT0, GL_DIFFUSE, white);
     glColorMaterial(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE);
-    for (const GLenum name : {GL_LIGHTING, GL_LIGHT0, GL_COLOR_MATERIAL, GL_DEPTH_TEST}) {
+    for (const GLenum name : {GLenum{GL_LIGHTING}, GLenum{GL_LIGHT0}, GLenum{GL_COLOR_MATERIAL},
+                              GLenum{GL_DEPTH_TEST}}) {
         glEnable(name);
     }
 }

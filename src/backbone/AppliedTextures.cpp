@@ -164,7 +164,8 @@ void AppliedTextures::release(const gl::Functions& gl) {
         if (*framebuffer) {
             gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer->name());
             for (const GLenum attachment :
-                 {GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT, GL_STENCIL_ATTACHMENT}) {
+                 {GLenum{GL_COLOR_ATTACHMENT0}, GLenum{GL_DEPTH_ATTACHMENT},
+                  GLenum{GL_STENCIL_ATTACHMENT}}) {
                 gl.FramebufferTexture(GL_FRAMEBUFFER, attachment, 0, 0);
             }
         }

@@ -43,7 +43,7 @@ void Host::ownShaders() {
 }
 
 void Host::overManyFrames() {
-    options.frameBudget = 2.0F; // milliseconds per frame
+    options.frameBudget = 0.0F; // milliseconds per frame
 }
 
 void Host::rays() {
@@ -51,7 +51,7 @@ void Host::rays() {
     if (tracer) {
         ao->setTexelTracer(std::move(*tracer));
         options.estimator = aolib::Estimator::RayTraced;
-        options.frameBudget = 2.0F; // for taking results; 0 waits until a cube map is traced whole
+        options.frameBudget = 4.0F; // for taking results; 0 waits until a cube map is traced whole
         ao->setOptions(options);
     }
 }

@@ -18,10 +18,12 @@ void main() {
     }
     vec3 eyeTo = uEyeToWorld * surface.eye;
     vec3 normal = uEyeToWorld * surface.normal;
+    float resolution = depthResolution(surface.t);
     Projected best = nothingProjected();
     for (int cube = 0; cube < uCubes; ++cube) {
-        project(cube, eyeTo, normal, depthResolution(surface.t), best);
+        project(cube, eyeTo, normal, resolution, best);
     }
+    refine(eyeTo, normal, resolution, best);
     float d = rawDepth(pixel);
     if (best.doubt || isAlone(pixel, ivec2(1, 0), d, surface.t) ||
         isAlone(pixel, ivec2(0, 1), d, surface.t)) {

@@ -12,20 +12,26 @@ uniform int uFirstCube;
 uniform int uEndCube;
 uniform int uCubes;
 
-layout(location = 0) out vec4 outBest; // sum of visibility, log2 of quality, code of the face, weight
+// Sum of visibility, quality (after the last pass its log2), code of cube map and face, weight.
+layout(location = 0) out vec4 outBest;
+
+const float kUnknown = -1.0e5; // log2 of quality where no cube map knows the surface
+const float kGuess = -1000.0;  // and where what is nearby is known
 
 // Share of a face, at its border, that the debug view darkens.
 const float kBorder = 0.006;
 
+// The best cube map's number and, below 1, its face.
 float faceCode(Projected best) {
     vec2 edge = min(best.uv, 1.0 - best.uv);
-    return (float(best.face) + (min(edge.x, edge.y) < kBorder ? 0.4 : 0.0)) / 8.0;
+    return float(best.cube) + (float(best.face) + (min(edge.x, edge.y) < kBorder ? 0.4 : 0.0)) / 8.0;
 }
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    vec4 before = uFirstPass ? vec4(0.0, kUnknown, 0.0, 0.0) : texelFetch(uBest, pixel, 0);
-    outBest = before;
+    vec4 before = uFirstPass ? vec4(0.0) : texelFetch(uBest, pixel, 0);
+    bool last = uEndCube == uCubes;
+    outBest = last ? vec4(0.0, kUnknown, 0.0, 0.0) : before;
     HostSurface surface;
     if (!hostSurface(pixel, surface)) {
         return;
@@ -34,23 +40,25 @@ void main() {
     best.sum = before.r;
     best.quality = before.g;
     best.weights = before.a;
+    best.cube = int(before.b);
     vec3 eyeTo = uEyeToWorld * surface.eye;
     vec3 normal = uEyeToWorld * surface.normal;
+    float resolution = depthResolution(surface.t);
     for (int cube = uFirstCube; cube < uEndCube; ++cube) {
-        project(cube, eyeTo, normal, depthResolution(surface.t), best);
+        project(cube, eyeTo, normal, resolution, best);
     }
-    if (uEndCube == uCubes) {
+    if (last) {
         for (int cube = 0; cube < uFirstCube; ++cube) {
             consider(cube, eyeTo, normal, best);
         }
-        guess(eyeTo, best);
+        refine(eyeTo, normal, resolution, best);
         float repaired = repairedVisibility(pixel, rawDepth(pixel));
         if (repaired >= 0.0) {
             best.sum = repaired;
             best.weights = 1.0;
-            best.quality = max(best.quality, kGuess);
         }
     }
-    outBest = vec4(best.sum, best.quality,
-                   best.quality > before.g ? faceCode(best) : before.b, best.weights);
+    float code = best.quality > before.g || best.quality == 0.0 ? faceCode(best) : before.b;
+    float known = best.quality > 0.0 ? log2(best.quality) : best.weights > 0.0 ? kGuess : kUnknown;
+    outBest = vec4(best.sum, last ? known : best.quality, code, best.weights);
 }

@@ -9,12 +9,12 @@ uniform sampler2DArray uCubeDepth;      // coded depth along the face's axis; 0 
 uniform int uFaceSize;                  // texels
 // Tiles in which surfaces end are kept finer, as blocks of their own: read where AO_DETAIL is defined.
 // (A software rasteriser runs every branch: what a uniform switches off would cost all the same.)
-uniform sampler2DArray uPages; // a layer per face, a texel per tile: 0, or 1 + the number of its block
-uniform sampler2DArray uDetailVisibility;
-uniform sampler2DArray uDetailDepth;
-// Per cube map: from its centre to the eye (world units), and what is added to log2 of its quality.
+// Blocks lie in layers of the same textures.
+uniform sampler2DArray uPages; // a layer per face, a texel per tile: 1 + layer of its block, and where
+                               // in the layer, x + 256 y in blocks; 0 where it has none
+// Per cube map: from its centre to the eye (world units), and what its quality is multiplied by.
 uniform vec4 uCubeToEye[64];
-uniform vec4 uDepthCode[64]; // nearest depth, log2(farthest / nearest), two unused
+uniform vec4 uDepthCode[64]; // what codes of depth span, two unused
 // Layers of the six faces, two to a number: +X -X, +Y -Y, +Z -Z; kNoLayer where none is kept.
 uniform ivec4 uFaceLayers[64];
 
@@ -22,27 +22,23 @@ const int kNoLayer = 0xFFFF;
 const int kTile = 32;        // texels along a tile's edge
 const int kDetailScale = 4;  // texels of detail along a texel
 const int kBlock = kTile * kDetailScale;
-const int kBlocksPerRow = 4; // of a layer of the detail textures
 // A texel belongs to the pixel's surface when it lies on the pixel's tangent plane to within this
 // many texel footprints (more at grazing angles, where a footprint on the surface is longer).
 const float kPlaneFootprints = 0.5;
 const float kSteepest = 0.2; // cosine below which the tolerance grows no more
-// Weights go with this power of the quality factor; what is below the best by more than the margin
-// (in log2 of quality) counts for nothing and is not looked up.
-const float kSharpness = 4.0;
-const float kMargin = 2.0;
-// What is known only from nearby counts for less than all that is known from the surface itself.
-const float kGuess = -1000.0;
+// Weights go with the fourth power of the quality factor; what is below this share of the best counts for
+// nothing.
+const float kLeastShare = 0.25;
 // Sum of weights, 2^-(distance in footprints)^2, from which texels are near enough.
 const float kLeastWeight = 0.002;
-const float kUnknown = -1.0e5; // log2 of quality where no cube map knows the surface
 // Texels about a point that differ by more than this in visibility leave it in doubt.
-const float kDoubtfulSpread = 0.05;
+const float kDoubtfulSpread = 0.03;
 
 struct Projected {
     float sum;     // of visibility, weighted
     float weights; // relative to the best quality
-    float quality; // log2, of the best
+    float quality; // of the best that knows the surface; 0 where none does
+    int cube;      // the best
     int face;      // of the best
     vec2 uv;       // on that face
     int guess;     // the best of those that see its direction but do not know the surface
@@ -51,7 +47,7 @@ struct Projected {
 };
 
 Projected nothingProjected() {
-    return Projected(0.0, 0.0, kUnknown, 0, vec2(0.0), -1, kUnknown, true);
+    return Projected(0.0, 0.0, 0.0, 0, 0, vec2(0.0), -1, 0.0, true);
 }
 
 int faceLayer(int cube, int face) {
@@ -69,13 +65,29 @@ struct Quad {
 
 // The texels of a grid: of a face as a whole, or of the detail of one of its tiles.
 struct Grid {
-    bool detail;
     int layer;
-    ivec2 origin; // of the grid's texel (0, 0) in its texture
+    ivec2 origin; // of the grid's texel (0, 0) in its layer
     ivec2 offset; // of the grid's texel (0, 0) on the face, in texels of this fineness
     ivec2 extent; // texels across and up
-    float size;   // texels of this fineness along the face's edge
+    int scale;    // texels of this fineness along a texel of the face
 };
+
+Grid wholeFace(int layer) {
+    return Grid(layer, ivec2(0), ivec2(0), ivec2(uFaceSize), 1);
+}
+
+#ifdef AO_DETAIL
+// The finer grid of the tile about a place on a face, in texels of the face, if it has one.
+Grid finest(int layer, vec2 at) {
+    ivec2 tile = min(ivec2(at), uFaceSize - 1) / kTile;
+    ivec2 page = ivec2(texelFetch(uPages, ivec3(tile, layer), 0).rg * 65535.0 + 0.5);
+    if (page.x == 0) {
+        return wholeFace(layer);
+    }
+    return Grid(page.x - 1, kBlock * ivec2(page.y & 255, page.y >> 8), tile * kBlock,
+                min(ivec2(kBlock), kDetailScale * uFaceSize - tile * kBlock), kDetailScale);
+}
+#endif
 
 #ifdef GL_ARB_texture_gather
 #define FOUR(sampler) textureGather(sampler, middle).wzxy
@@ -87,23 +99,13 @@ struct Grid {
 
 Quad quadAt(Grid grid, ivec2 corner, vec2 code) {
     Quad quad;
-    vec4 codes;
     ivec3 at = ivec3(grid.origin + corner, grid.layer);
-#ifdef AO_DETAIL
-    if (grid.detail) {
-        vec3 middle = vec3((vec2(at.xy) + 1.0) / float(kBlocksPerRow * kBlock), float(at.z));
-        codes = FOUR(uDetailDepth);
-        quad.visibility = FOUR(uDetailVisibility);
-    } else
-#endif
-    {
-        vec3 middle = vec3((vec2(at.xy) + 1.0) / float(uFaceSize), float(at.z));
-        codes = FOUR(uCubeDepth);
-        quad.visibility = FOUR(uCubeVisibility);
-    }
+    vec3 middle = vec3((vec2(at.xy) + 1.0) / float(uFaceSize), float(at.z));
+    vec4 codes = FOUR(uCubeDepth);
+    quad.visibility = FOUR(uCubeVisibility);
     quad.known = vec4(greaterThan(codes, vec4(0.0)));
-    quad.depth = code.x * exp2((codes * 65535.0 - 1.0) / 65534.0 * code.y);
-    float step = 2.0 / grid.size;
+    quad.depth = intBitsToFloat(ivec4(code.x + (codes * 65535.0 - 1.0) / 65534.0 * code.y));
+    float step = 2.0 / float(grid.scale * uFaceSize);
     vec2 ray = (vec2(grid.offset + corner) + 0.5) * step - 1.0;
     quad.s = ray.x + vec4(0.0, step, 0.0, step);
     quad.t = ray.y + vec4(0.0, 0.0, step, step);
@@ -133,13 +135,15 @@ float lookUp(vec3 p, vec3 normal, Grid grid, vec2 at, vec2 code, float tolerance
 }
 
 // The same where none of the four is on the surface, as at edges that are finer than a texel: by the
-// sixteen about it, whichever are near in space.
-float lookAbout(vec3 p, Grid grid, vec2 at, vec2 code, float footprint) {
+// sixteen about it, whichever are near in space. Negative where not `needed`.
+float lookAbout(vec3 p, Grid grid, vec2 at, vec2 code, bool needed) {
+    float footprint = 2.0 * p.z / float(uFaceSize);
     ivec2 first = ivec2(floor(at)) - 1;
     float sum = 0.0;
     float weights = 0.0;
     float scale = -1.0 / (footprint * footprint);
-    for (int i = 0; i < 4; ++i) {
+    int quads = needed ? 4 : 0;
+    for (int i = 0; i < quads; ++i) {
         ivec2 corner = clamp(first + 2 * ivec2(i & 1, i >> 1), ivec2(0), grid.extent - 2);
         Quad quad = quadAt(grid, corner, code);
         vec4 x = quad.depth * quad.s - p.x;
@@ -153,7 +157,22 @@ float lookAbout(vec3 p, Grid grid, vec2 at, vec2 code, float footprint) {
     return weights > kLeastWeight ? sum / weights : -1.0;
 }
 
-// Adds what one cube map knows of a point.
+float fourthPower(float x) {
+    float square = x * x;
+    return square * square;
+}
+
+// How far from a point's plane its texels may lie; negative where it is seen from less than half a texel
+// above it and may well lie between the texels' rays.
+float planeTolerance(vec3 p, float depth, float facing, float scale, float resolution) {
+    float cosDelta = facing * inversesqrt(dot(p, p));
+    float texels = scale * float(uFaceSize);
+    return cosDelta * texels >= 1.0
+               ? kPlaneFootprints * 2.0 * depth / (texels * max(cosDelta, kSteepest)) + resolution
+               : -1.0;
+}
+
+// Adds what one cube map's faces know of a point.
 // @param eyeTo       from the eye to the point, world axes
 // @param resolution  how much the point's depth may be wrong, world units
 void project(int cube, vec3 eyeTo, vec3 normal, float resolution, inout Projected best) {
@@ -165,8 +184,8 @@ void project(int cube, vec3 eyeTo, vec3 normal, float resolution, inout Projecte
     float distance2 = dot(p, p);
     vec3 a = abs(p);
     float depth = max(a.x, max(a.y, a.z));
-    float quality = logQuality(distance2, depth, facing) + uCubeToEye[cube].w;
-    if (quality < best.quality - kMargin) {
+    float quality = qualityFactor(distance2, depth, facing) * uCubeToEye[cube].w;
+    if (quality < kLeastShare * best.quality) {
         return;
     }
     int face = faceOf(p);
@@ -174,41 +193,14 @@ void project(int cube, vec3 eyeTo, vec3 normal, float resolution, inout Projecte
     if (layer == kNoLayer) {
         return;
     }
-    float cosDelta = facing * inversesqrt(distance2);
-    float footprint = 2.0 * depth / float(uFaceSize);
-    float tolerance = kPlaneFootprints * footprint / max(cosDelta, kSteepest) + resolution;
     vec3 inFace = toFace(face, p);
     vec3 normalInFace = toFace(face, normal);
     vec2 uv = inFace.xy / inFace.z * 0.5 + 0.5;
     vec2 at = uv * float(uFaceSize);
-    vec2 code = uDepthCode[cube].xy;
-    // Seen from less than half a texel above it, a surface may well lie between the texels' rays.
-    float resolved = cosDelta * float(uFaceSize);
-    float visibility = -1.0;
-    bool doubt = false;
-#ifdef AO_DETAIL
-    ivec2 tile = min(ivec2(at), uFaceSize - 1) / kTile;
-    int page = int(texelFetch(uPages, ivec3(tile, layer), 0).r * 65535.0 + 0.5);
-    if (page > 0 && resolved * float(kDetailScale) >= 1.0) {
-        int block = page - 1;
-        int inLayer = block % (kBlocksPerRow * kBlocksPerRow);
-        Grid grid = Grid(true, block / (kBlocksPerRow * kBlocksPerRow),
-                         kBlock * ivec2(inLayer % kBlocksPerRow, inLayer / kBlocksPerRow),
-                         tile * kBlock, min(ivec2(kBlock), kDetailScale * uFaceSize - tile * kBlock),
-                         float(kDetailScale * uFaceSize));
-        vec2 inBlock = at * float(kDetailScale) - vec2(grid.offset) - 0.5;
-        visibility = lookUp(inFace, normalInFace, grid, inBlock, code,
-                            (tolerance - resolution) / float(kDetailScale) + resolution, doubt);
-    }
-#endif
-    if (visibility < 0.0) {
-        Grid grid = Grid(false, layer, ivec2(0), ivec2(0), ivec2(uFaceSize), float(uFaceSize));
-        if (resolved >= 1.0) {
-            bool coarse;
-            visibility = lookUp(inFace, normalInFace, grid, at - 0.5, code, tolerance, coarse);
-            doubt = doubt || coarse;
-        }
-    }
+    bool doubt;
+    float visibility =
+        lookUp(inFace, normalInFace, wholeFace(layer), at - 0.5, uDepthCode[cube].xy,
+               planeTolerance(p, depth, facing, 1.0, resolution), doubt);
     if (visibility < 0.0) {
         if (quality > best.guessQuality) {
             best.guessQuality = quality;
@@ -217,11 +209,11 @@ void project(int cube, vec3 eyeTo, vec3 normal, float resolution, inout Projecte
         return;
     }
     if (quality > best.quality) {
-        float fade = exp2(max(kSharpness * (best.quality - quality), -100.0));
-        best = Projected(best.sum * fade + visibility, best.weights * fade + 1.0, quality, face, uv,
-                         best.guess, best.guessQuality, doubt);
+        float fade = fourthPower(best.quality / quality);
+        best = Projected(best.sum * fade + visibility, best.weights * fade + 1.0, quality, cube, face,
+                         uv, best.guess, best.guessQuality, doubt);
     } else {
-        float weight = exp2(kSharpness * (quality - best.quality));
+        float weight = fourthPower(quality / best.quality);
         best.sum += weight * visibility;
         best.weights += weight;
     }
@@ -233,33 +225,48 @@ void consider(int cube, vec3 eyeTo, vec3 normal, inout Projected best) {
     vec3 p = uCubeToEye[cube].xyz + eyeTo;
     float facing = -dot(normal, p);
     vec3 a = abs(p);
-    float quality = logQuality(dot(p, p), max(a.x, max(a.y, a.z)), facing) + uCubeToEye[cube].w;
+    float quality = qualityFactor(dot(p, p), max(a.x, max(a.y, a.z)), facing) * uCubeToEye[cube].w;
     if (facing > 0.0 && faceLayer(cube, faceOf(p)) != kNoLayer && quality > best.guessQuality) {
         best.guessQuality = quality;
         best.guess = cube;
     }
 }
 
-// After all cube maps: where none knows the surface, what the best of them knows nearby. Apart from
-// project(), because a software rasteriser runs every branch, for each cube map again.
-void guess(vec3 eyeTo, inout Projected best) {
-    if (best.weights > 0.0 || best.guess < 0) {
+// After all cube maps: where a tile of the best is kept finer, what its finer texels know stands for all;
+// where none knows the surface, what the one that might knows of it in finer texels, or nearby. Apart from
+// project(), because a software rasteriser runs every branch, for each cube map again; only loops end
+// when no pixel of a group goes on.
+void refine(vec3 eyeTo, vec3 normal, float resolution, inout Projected best) {
+    bool unknown = best.weights <= 0.0;
+    if (unknown && best.guess < 0) {
         return;
     }
-    int cube = best.guess;
+    int cube = unknown ? best.guess : best.cube;
     vec3 p = uCubeToEye[cube].xyz + eyeTo;
     int face = faceOf(p);
     vec3 inFace = toFace(face, p);
     vec2 uv = inFace.xy / inFace.z * 0.5 + 0.5;
-    Grid grid = Grid(false, faceLayer(cube, face), ivec2(0), ivec2(0), ivec2(uFaceSize),
-                     float(uFaceSize));
-    float visibility = lookAbout(inFace, grid, uv * float(uFaceSize) - 0.5, uDepthCode[cube].xy,
-                                 2.0 * inFace.z / float(uFaceSize));
+    vec2 at = uv * float(uFaceSize);
+    vec2 code = uDepthCode[cube].xy;
+    int layer = faceLayer(cube, face);
+    float visibility = -1.0;
+#ifdef AO_DETAIL
+    Grid grid = finest(layer, at);
+    float scale = float(grid.scale);
+    bool finer = grid.scale > 1;
+    bool doubt;
+    visibility = lookUp(inFace, toFace(face, normal), grid, scale * at - vec2(grid.offset) - 0.5, code,
+                        planeTolerance(p, inFace.z, -dot(normal, p), scale, resolution), doubt);
+    visibility = finer ? visibility : -1.0;
+    best.doubt = finer ? doubt || visibility < 0.0 : best.doubt;
+#endif
+    bool nearby = unknown && visibility < 0.0;
+    float about = lookAbout(inFace, wholeFace(layer), at - 0.5, code, nearby);
+    best.doubt = best.doubt || unknown && visibility < 0.0;
+    visibility = nearby ? about : visibility;
     if (visibility >= 0.0) {
         best.sum = visibility;
         best.weights = 1.0;
-        best.quality = best.guessQuality + kGuess;
-        best.doubt = true;
         best.face = face;
         best.uv = uv;
     }

@@ -14,7 +14,7 @@ layout(location = 0) out vec4 outSeen;
 void main() {
     float code = uLayer < 0 ? 0.0
                             : texelFetch(uCubeDepth, ivec3(ivec2(gl_FragCoord.xy), uLayer), 0).r;
-    if (code > 0.0 && vDepth > decodeDistance(code, uDepthCode.x, uDepthCode.y)) {
+    if (code > 0.0 && vDepth > decodeDistance(code, uDepthCode)) {
         discard;
     }
     outSeen = vec4(1.0);

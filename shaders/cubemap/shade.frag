@@ -25,7 +25,7 @@ void main() {
     for (int cube = 0; cube < uCubes; ++cube) {
         project(cube, eyeTo, normal, resolution, best);
     }
-    guess(eyeTo, best);
+    refine(eyeTo, normal, resolution, best);
     float visibility = best.weights > 0.0 ? best.sum / best.weights : 1.0;
     float repaired = repairedVisibility(pixel, rawDepth(pixel));
     visibility = repaired < 0.0 ? visibility : repaired;

@@ -19,10 +19,12 @@ void main() {
         return;
     }
     vec3 eyeTo = uEyeToWorld * surface.eye;
+    vec3 normal = uEyeToWorld * surface.normal;
+    float resolution = depthResolution(surface.t);
     Projected best = nothingProjected();
     for (int cube = 0; cube < uCubes; ++cube) {
-        project(cube, eyeTo, uEyeToWorld * surface.normal, depthResolution(surface.t), best);
+        project(cube, eyeTo, normal, resolution, best);
     }
-    guess(eyeTo, best);
+    refine(eyeTo, normal, resolution, best);
     outSample = vec4(eyeTo, (best.weights > 0.0 ? 1.0 : -1.0) * pixelFootprint(surface.t));
 }

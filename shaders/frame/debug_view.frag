@@ -28,7 +28,7 @@ const vec3 kEdgeColour = vec3(0.1, 0.9, 0.2);
 vec3 falseColour(float x) { return clamp(vec3(2.0 - 2.0 * x, 2.0 * x, 0.1), 0.0, 1.0); }
 
 vec3 faceColour(float code) {
-    int face = int(code * 8.0 + 0.5);
+    int face = int(fract(code) * 8.0 + 0.5);
     vec3 axis = face < 2 ? vec3(1.0, 0.35, 0.3) : face < 4 ? vec3(0.4, 0.9, 0.4) : vec3(0.35, 0.5, 1.0);
     return (face & 1) == 0 ? axis : axis * 0.55;
 }

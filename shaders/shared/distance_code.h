@@ -1,18 +1,26 @@
-// Depths of texels along their face's axis kept in 16 bits: code = 1 + 65534 * log(d / nearest) / log(farthest /
-// nearest), 0 = nothing was hit. The relative error is the same everywhere, at most
-// (farthest / nearest)^(1 / 131068) - 1: 5e-5 for a range of 1 to 1000.
+// Depths of texels along their face's axis kept in 16 bits, 0 = nothing was hit. The bits of a float, read as a
+// whole number, are its logarithm, straight between powers of two: a code is their place between those of the
+// nearest and of the farthest depth, and decoding takes no exponential. The relative error is about the same
+// everywhere, at most log2(farthest / nearest) / 131068: 8e-5 for a range of 1 to 1000.
 #ifdef __cplusplus
 #pragma once
 #endif
 #include "shared/dual.h"
 
-// To the value of a normalised 16-bit channel. `range` is log2(farthest / nearest).
-AO_FUNCTION float encodeDistance(float distance, float nearest, float range) {
-    return (1.0f + 65534.0f * clamp(log2(distance / nearest) / range, 0.0f, 1.0f)) / 65535.0f;
+// What codes span: bits of the nearest depth, and from there to those of the farthest.
+AO_FUNCTION vec2 distanceSpan(float nearest, float farthest) {
+    float least = float(floatBitsToInt(nearest));
+    return vec2(least, float(floatBitsToInt(farthest)) - least);
 }
 
-AO_FUNCTION float decodeDistance(float code, float nearest, float range) {
-    return nearest * exp2((code * 65535.0f - 1.0f) / 65534.0f * range);
+// To the value of a normalised 16-bit channel.
+AO_FUNCTION float encodeDistance(float distance, vec2 span) {
+    float place = (float(floatBitsToInt(distance)) - span.x) / span.y;
+    return (1.0f + 65534.0f * clamp(place, 0.0f, 1.0f)) / 65535.0f;
+}
+
+AO_FUNCTION float decodeDistance(float code, vec2 span) {
+    return intBitsToFloat(int(span.x + (code * 65535.0f - 1.0f) / 65534.0f * span.y));
 }
 
 AO_SHARED_END

@@ -10,11 +10,12 @@
 #endif
 #include "shared/dual.h"
 
-// log2 of Q for a point at p from the cube's centre, with `distance2` = |p|^2, `depth` that of p along
-// the face's axis and `facing` = -dot(normal, p). In logarithms, so that every scale holds.
-AO_FUNCTION float logQuality(float distance2, float depth, float facing) {
+// Q for a point at p from the cube's centre, with `distance2` = |p|^2, `depth` that of p along the face's
+// axis and `facing` = -dot(normal, p). Its unit is 1 / length^2, and so are its powers in between: every
+// scale holds.
+AO_FUNCTION float qualityFactor(float distance2, float depth, float facing) {
     float inverse = 1.0f / distance2;
-    return log2(depth * depth * inverse * (depth * facing * inverse) * inverse);
+    return depth * depth * inverse * (depth * facing * inverse) * inverse;
 }
 
 AO_SHARED_END

@@ -21,6 +21,7 @@ public:
         RGB8,
         RGBA8,
         R16,
+        RG16,
         R16F,
         RG16F,
         RGBA16F,

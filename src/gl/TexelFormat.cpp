@@ -15,6 +15,8 @@ TexelFormat texelFormat(RenderToTexture2D::Format format) {
         return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4};
     case Format::R16:
         return {GL_R16, GL_RED, GL_UNSIGNED_SHORT, 2};
+    case Format::RG16:
+        return {GL_RG16, GL_RG, GL_UNSIGNED_SHORT, 4};
     case Format::R16F:
         return {GL_R16F, GL_RED, GL_FLOAT, 2};
     case Format::RG16F:

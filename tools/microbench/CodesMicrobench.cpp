@@ -53,12 +53,12 @@ BENCHMARK(OctahedralRoundTrip);
 
 void DistanceCodeRoundTrip(benchmark::State& state) {
     constexpr float nearest = 0.1F;
-    constexpr float range = 10.0F; // log2(farthest / nearest)
+    const glm::vec2 span = shared::distanceSpan(nearest, 1024.0F * nearest);
     const std::vector<float> distances = shares(1);
     for (auto turn : state) {
         for (const float share : distances) {
-            const float code = shared::encodeDistance(nearest + 100.0F * share, nearest, range);
-            benchmark::DoNotOptimize(shared::decodeDistance(code, nearest, range));
+            const float code = shared::encodeDistance(nearest + 100.0F * share, span);
+            benchmark::DoNotOptimize(shared::decodeDistance(code, span));
         }
     }
     countItems(state);

@@ -370,7 +370,7 @@ void BackboneCubemapped::addStatistics(Statistics& statistics) {
                               : statistics.computed;
     statistics.bytesFrame += projection_->bytes() + repair_->bytes();
     statistics.bytesScene = sceneGeometry_.bytes();
-    statistics.bytesKept = store_.bytes() + details_.bytes();
+    statistics.bytesKept = store_.bytes();
     statistics.bytesBuilding = schedule_.bytes();
 }
 

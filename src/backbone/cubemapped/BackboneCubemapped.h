@@ -35,7 +35,7 @@ public:
 
 private:
     explicit BackboneCubemapped(const BackboneContext& context)
-        : AbstractBackbone(context), store_(context.gl), details_(context.gl),
+        : AbstractBackbone(context), store_(context.gl), details_(store_),
           schedule_(context, sceneGeometry_, store_, details_, [this] { return radius(); }) {}
 
     Status prepare(const Frame& frame) override;

@@ -34,12 +34,13 @@ Result<CubeMapProjector> CubeMapProjector::create(const gl::Functions& gl, CubeM
 void CubeMapProjector::spanDistances(FaceStore& store, float nearest, float farthest) {
     // A depth along a face's axis is a distance divided by at most sqrt(3).
     const float least = nearest / std::numbers::sqrt3_v<float>;
-    if (depthCode_.x > 0.0F && least >= depthCode_.x &&
-        farthest <= depthCode_.x * std::exp2(depthCode_.y)) {
+    if (least >= nearest_ && farthest <= farthest_) {
         return;
     }
     dropFaces(store);
-    depthCode_ = {least, std::log2(farthest / least)};
+    nearest_ = least;
+    farthest_ = farthest;
+    depthCode_ = shared::distanceSpan(nearest_, farthest_);
 }
 
 Status CubeMapProjector::keepFace(FaceStore& store, int face) {
@@ -85,7 +86,7 @@ Result<int> CubeMapProjector::detailOf(const FaceStore& store, DetailStore& deta
     if (block) {
         details_.emplace(tile, *block);
         const TileProgress::Region region = tiles.region(tile);
-        store.setDetail(layer(region.face), region, *block);
+        store.setPage(layer(region.face), region, details.page(*block));
     }
     return block;
 }
@@ -94,7 +95,7 @@ void CubeMapProjector::dropDetails(const FaceStore& store, DetailStore& details)
     for (const auto& [tile, block] : details_) {
         const TileProgress::Region region = tiles.region(tile);
         if (keeps(region.face)) {
-            store.setDetail(layer(region.face), region, -1);
+            store.setPage(layer(region.face), region, {});
         }
         details.giveBack(block);
     }
@@ -124,10 +125,9 @@ CubeMapImage CubeMapProjector::read(const gl::Functions& gl, const FaceStore& st
                 float value = face[i];
                 if (which == 1) {
                     const glm::vec2 uv = (glm::vec2(x, y) + 0.5F) / static_cast<float>(size);
-                    value = value > 0.0F
-                                ? shared::decodeDistance(value, depthCode_.x, depthCode_.y) *
-                                      glm::length(shared::faceDirection(f, uv))
-                                : -1.0F;
+                    value = value > 0.0F ? shared::decodeDistance(value, depthCode_) *
+                                               glm::length(shared::faceDirection(f, uv))
+                                         : -1.0F;
                 }
                 into[(y * kFaces + static_cast<std::size_t>(f)) * rows + x] = value;
             }

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 
 #include <glm/mat3x3.hpp>
@@ -36,7 +37,7 @@ public:
     /// World units.
     const glm::vec3& position() const { return position_; }
 
-    /// The depths along a face's axis that its code spans: nearest, log2(farthest / nearest).
+    /// What the code of depths along a face's axis spans (shaders/shared/distance_code.h).
     const glm::vec2& depthCode() const { return depthCode_; }
     /// Makes the code span distances from the centre, world units. What was kept by another code is
     /// dropped; a code that spans them already stays.
@@ -78,6 +79,8 @@ public:
 private:
     CubeMapId id_{};
     glm::vec3 position_{};
+    float nearest_ = std::numeric_limits<float>::infinity(); ///< of the depths that codes span
+    float farthest_ = 0.0F;
     glm::vec2 depthCode_{0.0F, 0.0F};
     std::map<int, int> details_; ///< tile to block
     std::array<int, kFaces> layers_{kNoLayer, kNoLayer, kNoLayer, kNoLayer, kNoLayer, kNoLayer};

@@ -4,45 +4,15 @@
 
 namespace aolib {
 
-namespace {
-
-using Format = gl::RenderToTexture2D::Format;
-
-} // namespace
-
-Status DetailStore::grow() {
-    const int layers = slots_.count() / kPerLayer + 1;
-    const auto create = [&](Format format, const char* label) {
-        return gl::TextureStack::create(*gl_, {.width = kPerRow * kBlock,
-                                               .height = kPerRow * kBlock,
-                                               .layers = layers,
-                                               .format = format,
-                                               .label = label});
-    };
-    auto visibility = create(Format::R8, "aolib/details/visibility");
-    if (!visibility) {
-        return visibility.status();
-    }
-    auto depth = create(Format::R16, "aolib/details/depth");
-    if (!depth) {
-        return depth.status();
-    }
-    if (!slots_.empty()) {
-        visibility->copyFrom(visibility_);
-        depth->copyFrom(depth_);
-    }
-    visibility_ = std::move(*visibility);
-    depth_ = std::move(*depth);
-    slots_.growTo(layers * kPerLayer);
-    return {};
-}
-
 Result<int> DetailStore::take() {
     std::optional<int> taken = slots_.take();
     if (!taken) {
-        if (Status status = grow(); !status) {
-            return status;
+        const auto layer = faces_->take();
+        if (!layer) {
+            return layer.status();
         }
+        layers_.push_back(*layer);
+        slots_.growTo(slots_.count() + perLayer());
         taken = slots_.take();
     }
     return *taken;
@@ -50,32 +20,24 @@ Result<int> DetailStore::take() {
 
 void DetailStore::giveBack(int block) {
     if (slots_.giveBack(block)) {
-        visibility_ = {};
-        depth_ = {};
+        for (const int layer : layers_) {
+            faces_->giveBack(layer);
+        }
+        layers_.clear();
         slots_.clear();
     }
 }
 
+FaceStore::Page DetailStore::page(int block) const {
+    const int inLayer = block % perLayer();
+    return {layers_[static_cast<std::size_t>(block / perLayer())],
+            {inLayer % perRow(), inLayer / perRow()}};
+}
+
 void DetailStore::upload(int block, int width, int height, std::span<const std::uint8_t> visibility,
                          std::span<const std::uint16_t> depth) const {
-    const int layer = block / kPerLayer;
-    const int inLayer = block % kPerLayer;
-    const glm::ivec2 at = kBlock * glm::ivec2(inLayer % kPerRow, inLayer / kPerRow);
-    visibility_.upload(layer, at, {width, height}, visibility.data());
-    depth_.upload(layer, at, {width, height}, depth.data());
-}
-
-void DetailStore::bind(gl::GLSLShader& shader, int visibilityUnit, int depthUnit) const {
-    shader.set("uDetailVisibility", visibilityUnit);
-    shader.set("uDetailDepth", depthUnit);
-    if (!slots_.empty()) {
-        visibility_.bind(visibilityUnit);
-        depth_.bind(depthUnit);
-    }
-}
-
-std::size_t DetailStore::bytes() const {
-    return slots_.empty() ? 0 : visibility_.bytes() + depth_.bytes();
+    const FaceStore::Page where = page(block);
+    faces_->upload(where.layer, kBlock * where.at, {width, height}, visibility, depth);
 }
 
 } // namespace aolib

@@ -4,45 +4,39 @@
 #include <span>
 #include <vector>
 
+#include "backbone/cubemapped/FaceStore.h"
 #include "backbone/cubemapped/Slots.h"
 #include "backbone/cubemapped/TileProgress.h"
-#include "gl/GLSLShader.h"
-#include "gl/TextureStack.h"
 
 namespace aolib {
 
-/// Texels of tiles that are kept finer than their face: blocks of one size in two array textures,
-/// as many as there are such tiles.
+/// Texels of tiles that are kept finer than their face: blocks of one size in layers of the face
+/// store, as many as there are such tiles.
 class DetailStore {
 public:
-    static constexpr int kScale = 4; ///< texels of detail along a face's texel
+    static constexpr int kScale = TileProgress::kDetailScale;
     static constexpr int kBlock = kScale * TileProgress::kTile; ///< texels along a block's edge
 
-    explicit DetailStore(const gl::Functions& gl) : gl_(&gl) {}
+    /// The store of the layers must outlive it.
+    explicit DetailStore(FaceStore& faces) : faces_(&faces) {}
 
-    /// A block whose content is not defined. Errors: MissingCapability, OutOfMemory; then the store
-    /// is as before.
+    /// A block whose content is not defined. Errors: as FaceStore::take(); then all is as before.
     Result<int> take();
     void giveBack(int block);
     /// Replaces a block's texels, `width` of them along a row, row 0 at the bottom.
     void upload(int block, int width, int height, std::span<const std::uint8_t> visibility,
                 std::span<const std::uint16_t> depth) const;
-    /// Makes the blocks readable.
-    void bind(gl::GLSLShader& shader, int visibilityUnit, int depthUnit) const;
+    /// Where a block lies.
+    FaceStore::Page page(int block) const;
     bool empty() const { return slots_.empty(); }
-    /// GPU memory, blocks in reserve included.
-    std::size_t bytes() const;
 
 private:
-    static constexpr int kPerRow = 4; ///< blocks along a layer's edge
-    static constexpr int kPerLayer = kPerRow * kPerRow;
+    int perRow() const { return faces_->faceSize() / kBlock; }
+    int perLayer() const { return perRow() * perRow(); }
 
-    Status grow();
-
-    const gl::Functions* gl_;
-    gl::TextureStack visibility_;
-    gl::TextureStack depth_;
-    Slots slots_; ///< one per block
+    FaceStore* faces_;
+    std::vector<int> layers_; ///< of the face store
+    Slots slots_;             ///< one per block, layer by layer
 };
 
 } // namespace aolib

@@ -43,7 +43,7 @@ Status FaceStore::grow() {
     if (!depth) {
         return depth.status();
     }
-    auto pages = create(Format::R16, tilesPerEdge(), "aolib/faces/pages");
+    auto pages = create(Format::RG16, tilesPerEdge(), "aolib/faces/pages");
     if (!pages) {
         return pages.status();
     }
@@ -74,7 +74,7 @@ Result<int> FaceStore::take() {
     gl_->ClearBufferfv(GL_COLOR, 0, open.data());
     gl_->ClearBufferfv(GL_COLOR, 1, nothing.data());
     const std::vector<std::uint16_t> none(
-        static_cast<std::size_t>(tilesPerEdge() * tilesPerEdge()));
+        2 * static_cast<std::size_t>(tilesPerEdge() * tilesPerEdge()));
     pages_.upload(layer, {0, 0}, {tilesPerEdge(), tilesPerEdge()}, none.data());
     return layer;
 }
@@ -99,18 +99,22 @@ void FaceStore::beginRead(int layer, int which) const {
     gl_->ReadBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(which));
 }
 
-void FaceStore::upload(int layer, const TileProgress::Region& region,
+void FaceStore::upload(int layer, const glm::ivec2& at, const glm::ivec2& size,
                        std::span<const std::uint8_t> visibility,
                        std::span<const std::uint16_t> depth) const {
-    visibility_.upload(layer, {region.x, region.y}, {region.width, region.height},
-                       visibility.data());
-    depth_.upload(layer, {region.x, region.y}, {region.width, region.height}, depth.data());
+    visibility_.upload(layer, at, size, visibility.data());
+    depth_.upload(layer, at, size, depth.data());
 }
 
-void FaceStore::setDetail(int layer, const TileProgress::Region& region, int block) const {
-    const auto page = static_cast<std::uint16_t>(block + 1);
+void FaceStore::setPage(int layer, const TileProgress::Region& region,
+                        const std::optional<Page>& page) const {
+    std::array<std::uint16_t, 2> code{};
+    if (page) {
+        code = {static_cast<std::uint16_t>(page->layer + 1),
+                static_cast<std::uint16_t>(page->at.x | page->at.y << 8)};
+    }
     pages_.upload(layer, {region.x / TileProgress::kTile, region.y / TileProgress::kTile}, {1, 1},
-                  &page);
+                  code.data());
 }
 
 void FaceStore::bindPages(gl::GLSLShader& shader, int unit) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -13,7 +14,8 @@ namespace aolib {
 
 /// The texels that cube maps keep, 3 bytes each: a layer of 8-bit visibility and one of 16-bit
 /// coded depth (shaders/shared/distance_code.h) for every face that holds geometry, none for the
-/// others. All lie in two array textures, so that one pass reads them all.
+/// others. All lie in two array textures, so that one pass reads them all. A layer may also hold
+/// blocks of finer texels (DetailStore), which a lookup then finds as cheaply.
 class FaceStore {
 public:
     explicit FaceStore(const gl::Functions& gl) : gl_(&gl) {}
@@ -31,15 +33,21 @@ public:
     void begin(int layer) const;
     /// Directs reading to a layer's visibility (0) or depth (1).
     void beginRead(int layer, int which) const;
-    /// Replaces a tile's texels, row 0 at the bottom.
-    void upload(int layer, const TileProgress::Region& region,
+    /// Replaces a rectangle of texels, row 0 at the bottom.
+    void upload(int layer, const glm::ivec2& at, const glm::ivec2& size,
                 std::span<const std::uint8_t> visibility,
                 std::span<const std::uint16_t> depth) const;
-    /// Says which block of the detail store shows a tile finer; -1 for none.
-    void setDetail(int layer, const TileProgress::Region& region, int block) const;
+    /// A block of finer texels: the layer it lies in, and where, in blocks.
+    struct Page {
+        int layer;
+        glm::ivec2 at;
+    };
+    /// Says which block shows a tile finer, if any.
+    void setPage(int layer, const TileProgress::Region& region,
+                 const std::optional<Page>& page) const;
     /// Makes the layers readable and sets uFaceSize.
     void bind(gl::GLSLShader& shader, int visibilityUnit, int depthUnit) const;
-    /// Makes the numbers of the detail blocks readable.
+    /// Makes the pages readable.
     void bindPages(gl::GLSLShader& shader, int unit) const;
 
     std::size_t bytesPerFace() const;
@@ -56,7 +64,7 @@ private:
     int faceSize_ = 0;
     gl::TextureStack visibility_;
     gl::TextureStack depth_;
-    gl::TextureStack pages_; ///< per tile: 0, or 1 + the number of its detail block
+    gl::TextureStack pages_; ///< per tile: 1 + layer and place of its block, or 0
     gl::Framebuffer framebuffer_;
     Slots slots_; ///< one per layer
 };

@@ -1,5 +1,6 @@
 #include "backbone/cubemapped/Projection.h"
 
+#include <cmath>
 #include <utility>
 
 #include "backbone/Composite.h"
@@ -14,10 +15,8 @@ constexpr int kDepthUnit = 0;
 constexpr int kVisibilityUnit = 1;
 constexpr int kCubeDepthUnit = 2;
 constexpr int kPagesUnit = 3;
-constexpr int kDetailVisibilityUnit = 4;
-constexpr int kDetailDepthUnit = 5;
-constexpr int kBestUnit = 6;
-constexpr int kRepairedUnit = 7;
+constexpr int kBestUnit = 4;
+constexpr int kRepairedUnit = 5;
 /// Defined in the shaders that look at detail and at repaired pixels, too.
 constexpr const char* kDetail = "AO_DETAIL";
 constexpr const char* kRepaired = "AO_REPAIRED";
@@ -68,7 +67,6 @@ void Projection::bind(gl::GLSLShader& shader, const Frame& frame, const HostFram
     shader.set("uCubeVisibility", kVisibilityUnit);
     shader.set("uCubeDepth", kCubeDepthUnit);
     shader.set("uPages", kPagesUnit);
-    kept.details.bind(shader, kDetailVisibilityUnit, kDetailDepthUnit);
     shader.set("uRepaired", kRepairedUnit);
     if (kept.repaired != nullptr) {
         kept.repaired->bind(kRepairedUnit);
@@ -83,7 +81,7 @@ void Projection::bind(gl::GLSLShader& shader, const Frame& frame, const HostFram
     std::vector<glm::ivec4> layers;
     for (const CubeMapProjector* projector : projectors) {
         toEye.emplace_back(glm::vec3(frame.camera.eye() - glm::dvec3(projector->position())),
-                           projector->bias);
+                           std::exp2(projector->bias));
         codes.emplace_back(projector->depthCode(), 0.0F, 0.0F);
         layers.emplace_back(pairOfLayers(*projector, 0), pairOfLayers(*projector, 2),
                             pairOfLayers(*projector, 4), 0);

@@ -24,7 +24,7 @@ public:
     static Result<Projection> create(const BackboneContext& context);
 
     /// Sets what shaders/cubemap/projection.glsl and shaders/frame/host_surface.glsl read, on units
-    /// 0 to 7.
+    /// 0 to 3 and 5.
     static void bind(gl::GLSLShader& shader, const Frame& frame, const HostFramebuffer& host,
                      const KeptTexels& kept, const std::vector<CubeMapProjector*>& projectors);
 

@@ -323,8 +323,8 @@ RayTracedTexels::Codes RayTracedTexels::encode(const CubeMapProjector& projector
         const float along = traced.distance[i] / glm::length(shared::faceDirection(0, uv));
         codes.visibility[i] = static_cast<std::uint8_t>(std::lround(
             255.0F * std::clamp(tile.sum[i] / static_cast<float>(tile.rays), 0.0F, 1.0F)));
-        codes.depth[i] = static_cast<std::uint16_t>(
-            std::lround(65535.0F * shared::encodeDistance(along, code.x, code.y)));
+        codes.depth[i] =
+            static_cast<std::uint16_t>(std::lround(65535.0F * shared::encodeDistance(along, code)));
     }
     return codes;
 }
@@ -346,9 +346,8 @@ Status RayTracedTexels::upload(CubeMapProjector& projector, const TracedTexels& 
         return status;
     }
     const Codes codes = encode(projector, traced, tile);
-    store_.upload(projector.layer(request.face),
-                  {request.face, request.x, request.y, request.width, request.height},
-                  codes.visibility, codes.depth);
+    store_.upload(projector.layer(request.face), {request.x, request.y},
+                  {request.width, request.height}, codes.visibility, codes.depth);
     return {};
 }
 

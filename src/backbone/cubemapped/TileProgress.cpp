@@ -49,7 +49,9 @@ void TileProgress::ask(int face, const glm::vec2& at) {
 }
 
 void TileProgress::askFine(int face, const glm::vec2& at) {
-    visitAbout(face, at, [](Tile& tile) { tile.fine = true; });
+    if (faceSize_ >= kDetailScale * kTile) {
+        visitAbout(face, at, [](Tile& tile) { tile.fine = true; });
+    }
 }
 
 void TileProgress::setDetailPasses(int tile, int passes) {

@@ -13,7 +13,8 @@ inline constexpr int kFaces = 6;
 /// of whatever computes it. No GL.
 class TileProgress {
 public:
-    static constexpr int kTile = 32; ///< texels along a tile's edge
+    static constexpr int kTile = 32;       ///< texels along a tile's edge
+    static constexpr int kDetailScale = 4; ///< texels of detail along a texel
 
     struct Region {
         int face = 0;
@@ -46,7 +47,8 @@ public:
     std::vector<int> mostUrgent(int most) const;
     // ---- Detail: tiles that a view shows finer than their texels, and in which surfaces end.
 
-    /// Asks for detail where the tile turns out to be rough.
+    /// Asks for detail where the tile turns out to be rough. Faces smaller than a tile's detail
+    /// have none: it lies in layers of their size.
     void askFine(int face, const glm::vec2& at);
     void setRough(int tile) { tiles_[static_cast<std::size_t>(tile)].rough = true; }
     bool needsDetail(int tile) const {

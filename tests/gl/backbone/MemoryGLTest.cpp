@@ -14,9 +14,9 @@ class MemoryGLTest : public GLTest {
 protected:
     static constexpr int kFaceSize = 64;
     static constexpr std::size_t kTexels = std::size_t{6} * kFaceSize * kFaceSize;
-    /// A number per tile, which says where its detail lies.
+    /// Two numbers per tile, which say where its detail lies.
     static constexpr std::size_t kPages =
-        std::size_t{6} * (kFaceSize / TileProgress::kTile) * (kFaceSize / TileProgress::kTile) * 2;
+        std::size_t{6} * (kFaceSize / TileProgress::kTile) * (kFaceSize / TileProgress::kTile) * 4;
 
     /// All textures and buffers of the context, bytes.
     std::size_t inUse() {

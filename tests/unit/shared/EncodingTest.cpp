@@ -18,21 +18,21 @@ float throughSixteenBits(float value) {
 TEST(DistanceCodeTest, ErrorIsRelativeAndTiny) {
     const float nearest = 0.02F;
     const float farthest = 20.0F;
-    const float range = std::log2(farthest / nearest);
-    // Half a step of the logarithm, and as much again for the rounding of float.
-    const float bound = 2.0F * (std::exp2(range / 131068.0F) - 1.0F);
+    const vec2 span = distanceSpan(nearest, farthest);
+    // Half a step, and a quarter for the rounding of float.
+    const float bound = 1.25F * std::log2(farthest / nearest) / 131068.0F;
     for (float distance = nearest; distance <= farthest; distance *= 1.01F) {
-        const float kept = throughSixteenBits(encodeDistance(distance, nearest, range));
+        const float kept = throughSixteenBits(encodeDistance(distance, span));
         ASSERT_GT(kept, 0.0F) << "0 is kept for texels that hit nothing";
-        ASSERT_NEAR(decodeDistance(kept, nearest, range) / distance, 1.0F, bound);
+        ASSERT_NEAR(decodeDistance(kept, span) / distance, 1.0F, bound);
     }
 }
 
 TEST(DistanceCodeTest, WorksAtEveryScale) {
     for (const float scale : {1e-6F, 1.0F, 1e6F}) {
-        const float range = std::log2(1e5F);
-        const float kept = throughSixteenBits(encodeDistance(777.0F * scale, scale, range));
-        EXPECT_NEAR(decodeDistance(kept, scale, range) / (777.0F * scale), 1.0F, 2e-4F);
+        const vec2 span = distanceSpan(scale, 1e5F * scale);
+        const float kept = throughSixteenBits(encodeDistance(777.0F * scale, span));
+        EXPECT_NEAR(decodeDistance(kept, span) / (777.0F * scale), 1.0F, 2e-4F);
     }
 }
 
@@ -57,13 +57,15 @@ TEST(FalloffTest, WeightsAreThoseOfTheDesign) {
 
 TEST(QualityTest, PrefersNearerCentralAndFacing) {
     // At distance d, with the cosines b to the face's axis and c to the surface's normal.
-    const auto quality = [](float d, float b, float c) { return logQuality(d * d, d * b, d * c); };
-    const float reference = quality(2.0F, 0.8F, 0.7F);
-    EXPECT_NEAR(quality(1.0F, 0.8F, 0.7F) - reference, 2.0F, 1e-5F) << "1/d^2";
-    EXPECT_NEAR(quality(2.0F, 0.4F, 0.7F) - reference, -3.0F, 1e-5F) << "cos^3 beta";
-    EXPECT_NEAR(quality(2.0F, 0.8F, 0.35F) - reference, -1.0F, 1e-5F) << "cos delta";
-    EXPECT_NEAR(quality(2e12F, 0.8F, 0.7F) - reference, -2.0F * std::log2(1e12F), 1e-4F);
-    EXPECT_NEAR(quality(2e-12F, 0.8F, 0.7F) - reference, 2.0F * std::log2(1e12F), 1e-4F);
+    // As a multiple of that at distance 2, and cosines 0.8 and 0.7.
+    const auto relative = [](float d, float b, float c) {
+        return qualityFactor(d * d, d * b, d * c) / qualityFactor(4.0F, 1.6F, 1.4F);
+    };
+    EXPECT_NEAR(relative(1.0F, 0.8F, 0.7F), 4.0F, 1e-5F) << "1/d^2";
+    EXPECT_NEAR(relative(2.0F, 0.4F, 0.7F), 0.125F, 1e-6F) << "cos^3 beta";
+    EXPECT_NEAR(relative(2.0F, 0.8F, 0.35F), 0.5F, 1e-6F) << "cos delta";
+    EXPECT_NEAR(1e24F * relative(2e12F, 0.8F, 0.7F), 1.0F, 1e-4F);
+    EXPECT_NEAR(1e-24F * relative(2e-12F, 0.8F, 0.7F), 1.0F, 1e-4F);
 }
 
 } // namespace

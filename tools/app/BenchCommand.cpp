@@ -1,5 +1,6 @@
 #include "app/Commands.h"
 
+#include "app/BenchBake.h"
 #include "app/BenchPareto.h"
 #include "app/BenchThesis.h"
 
@@ -8,12 +9,14 @@ namespace aolib::app {
 void addBenchCommand(CLI::App& program, MaybeFailure& failure) {
     CLI::App* bench = program.add_subcommand("bench", "measure error and cost, ours and others'");
     bench->require_subcommand(1);
+    addBenchBake(*bench, failure);
     addBenchPareto(*bench, failure);
     addBenchThesis(*bench, failure);
     bench->footer("Examples:\n"
                   "  aolib bench pareto --list\n"
                   "  aolib bench pareto --quick --scene town --method 'layered-*'\n"
-                  "  aolib bench thesis --scene bunny");
+                  "  aolib bench thesis --scene bunny\n"
+                  "  aolib bench bake --quick");
 }
 
 } // namespace aolib::app

@@ -5,12 +5,15 @@
 
 #include "BakeScenes.h"
 #include "GLTest.h"
-#include "MapErrors.h"
+#include "bench/bake/MapErrors.h"
 #include "reference/ClosedForms.h"
 
 namespace aolib::bake::test {
 
 namespace {
+
+using bench::errorsOf;
+using bench::MapErrors;
 
 /// Bakers on the GPU against closed forms and rays, in every kind of context.
 class GpuBakerGLTest : public GLTest {

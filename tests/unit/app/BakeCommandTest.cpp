@@ -131,6 +131,20 @@ TEST_F(BakeCommandTest, ManyModelsGoToAFolder) {
     expectRefused({"bake", "uv-box", "uv-sphere", "-o", "one.glb"}, {"--out", "folder"});
 }
 
+TEST_F(BakeCommandTest, TheBenchWritesATableAndAPlot) {
+    const ProgramRun done =
+        run({"bench", "bake", "--mesh", "bumps-400", "--mesh", "uv-box", "--samples", "4", "--size",
+             "32", "--truth-rays", "4", "--out", "made"});
+    EXPECT_EQ(done.exitCode, 0) << done.err;
+    EXPECT_EQ(names(), (std::vector<std::string>{"made", "made/bake.csv", "made/bake.md",
+                                                 "made/bake.png", "made/bake.svg"}));
+    const std::string csv = bytesOf("made/bake.csv");
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 2 * 3) << csv;
+    EXPECT_NE(csv.find("\nbumps-400,360,scatter,4,"), std::string::npos) << csv;
+    expectRefused({"bench", "bake", "--mesh", "bumps-none"}, {"--mesh", "bumps-N"});
+    expectRefused({"bench", "bake", "--mesh", "cornell"}, {"5 materials"});
+}
+
 TEST_F(BakeCommandTest, WhatCannotBeUsedIsRefused) {
     expectRefused({"bake", "uv-box"}, {"--out", "needed"});
     expectRefused({"bake", "nothing", "-o", "a.glb"}, {"nothing", "uv-shapes"});

@@ -1,4 +1,4 @@
-#include "MapErrors.h"
+#include "bench/bake/MapErrors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,14 +6,14 @@
 
 #include <glm/geometric.hpp>
 
-namespace aolib::bake::test {
+namespace aolib::bench {
 
 namespace {
 
-bool atSeam(const BakedMap& map, int x, int y) {
+bool atSeam(const bake::BakedMap& map, int x, int y) {
     for (int v = std::max(0, y - 1); v <= std::min(map.height - 1, y + 1); ++v) {
         for (int u = std::max(0, x - 1); u <= std::min(map.width - 1, x + 1); ++u) {
-            if (map.kind[static_cast<std::size_t>(v * map.width + u)] != TexelKind::Inside) {
+            if (map.kind[static_cast<std::size_t>(v * map.width + u)] != bake::TexelKind::Inside) {
                 return true;
             }
         }
@@ -23,7 +23,7 @@ bool atSeam(const BakedMap& map, int x, int y) {
 
 } // namespace
 
-MapErrors errorsOf(const BakedMap& map, const BakedMap& truth) {
+MapErrors errorsOf(const bake::BakedMap& map, const bake::BakedMap& truth) {
     MapErrors errors;
     double squares[2] = {0.0, 0.0};
     int counts[2] = {0, 0};
@@ -32,7 +32,7 @@ MapErrors errorsOf(const BakedMap& map, const BakedMap& truth) {
     for (int y = 0; y < map.height; ++y) {
         for (int x = 0; x < map.width; ++x) {
             const auto i = static_cast<std::size_t>(y * map.width + x);
-            if (truth.kind[i] == TexelKind::Empty) {
+            if (truth.kind[i] == bake::TexelKind::Empty) {
                 continue;
             }
             const double w = double(truth.visibility[i]);
@@ -56,4 +56,4 @@ MapErrors errorsOf(const BakedMap& map, const BakedMap& truth) {
     return errors;
 }
 
-} // namespace aolib::bake::test
+} // namespace aolib::bench

@@ -2,7 +2,7 @@
 
 #include <aolib/bake/AbstractBaker.h>
 
-namespace aolib::bake::test {
+namespace aolib::bench {
 
 /// How far a map is from another one. Texels at seams are those a chart's border goes through, and
 /// those beside them.
@@ -14,6 +14,6 @@ struct MapErrors {
     int compared = 0;       ///< texels
 };
 
-MapErrors errorsOf(const BakedMap& map, const BakedMap& truth);
+MapErrors errorsOf(const bake::BakedMap& map, const bake::BakedMap& truth);
 
-} // namespace aolib::bake::test
+} // namespace aolib::bench

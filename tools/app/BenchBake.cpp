@@ -1,0 +1,205 @@
+#include "app/BenchBake.h"
+
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "app/BakeInput.h"
+#include "app/BakePlan.h"
+#include "app/GlSession.h"
+#include "app/Interruption.h"
+#include "app/NumberFlags.h"
+#include "app/ParseValues.h"
+#include "app/Progress.h"
+#include "bench/MachineInfo.h"
+#include "bench/TextFile.h"
+#include "bench/bake/BakeTable.h"
+#include "bench/plot/PlotFiles.h"
+#include "content/generated/UvShapes.h"
+
+namespace aolib::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The numbers of triangles in McGraw and Sowers 2008, table 1.
+constexpr int kPaperSizes[] = {14998, 20088, 63012, 84638, 290656, 588032, 654666};
+constexpr int kQuickSizes[] = {6036, 63012, 654666};
+
+struct BenchBakeFlags {
+    GlFlags gl;
+    std::vector<std::string> meshes;
+    std::vector<bench::BakeMethodName> methods;
+    std::vector<int> samples;
+    int size = 0;
+    int truthRays = 4096;
+    int repeats = 1;
+    bool quick = false;
+    std::string out = "out/bake";
+};
+
+/// "bumps-20088", a shape, or a model of one material.
+Outcome<bench::BakeMesh> meshOf(const std::string& name, int mapSize) {
+    bench::BakeMesh mesh;
+    mesh.name = name;
+    const std::string bumps = "bumps-";
+    if (name.rfind(bumps, 0) == 0) {
+        const std::optional<double> count = parseNumber(name.substr(bumps.size()));
+        if (!count || *count < 100.0 || *count > 2e7) {
+            return badInput("--mesh " + name + ": bumps-N with N from 100 to 20 000 000 is needed");
+        }
+        const UvMesh made = bumpySphere(static_cast<int>(*count));
+        mesh.triangles = made.indices.size() / 3;
+        mesh.scene.surfaces.push_back({made.positions, made.normals, made.uvs, made.indices, 0});
+        return mesh;
+    }
+    Outcome<BakeInput> input = openBakeInput(name);
+    if (!input) {
+        return input.failure();
+    }
+    BakeFlags flags;
+    flags.map.width = flags.map.height = mapSize;
+    const Outcome<std::vector<PlannedMap>> maps = planMaps(*input, flags);
+    if (!maps) {
+        return maps.failure();
+    }
+    if (maps->size() > 1) {
+        return badInput("--mesh " + name + ": it has " + std::to_string(maps->size()) +
+                        " materials, and the bench takes models of one");
+    }
+    mesh.name = input->name;
+    for (const BakePiece& piece : input->pieces) {
+        mesh.scene.surfaces.push_back(piece.surface);
+        mesh.triangles += piece.surface.indices.size() / 3;
+    }
+    return mesh;
+}
+
+Outcome<bench::BakePlan> planOf(const BenchBakeFlags& flags) {
+    using Method = bench::BakeMethodName;
+    bench::BakePlan plan;
+    plan.mapSize = flags.size > 0 ? flags.size : (flags.quick ? 128 : 512);
+    plan.truthRays = flags.truthRays;
+    plan.repeats = flags.repeats;
+    plan.methods = flags.methods.empty()
+                       ? std::vector<Method>{Method::Rays, Method::Scatter, Method::Shadow}
+                       : flags.methods;
+    plan.samples = flags.samples;
+    if (plan.samples.empty()) {
+        plan.samples = flags.quick ? std::vector<int>{32, 64} : std::vector<int>{512, 1024};
+    }
+    std::vector<std::string> names = flags.meshes;
+    if (names.empty()) {
+        const std::span<const int> sizes =
+            flags.quick ? std::span<const int>(kQuickSizes) : std::span<const int>(kPaperSizes);
+        for (const int size : sizes) {
+            names.push_back("bumps-" + std::to_string(size));
+        }
+    }
+    for (const std::string& name : names) {
+        Outcome<bench::BakeMesh> mesh = meshOf(name, plan.mapSize);
+        if (!mesh) {
+            return mesh.failure();
+        }
+        plan.meshes.push_back(std::move(*mesh));
+    }
+    return plan;
+}
+
+MaybeFailure benchBake(const BenchBakeFlags& flags) {
+    const Interruption interruption;
+    Progress progress;
+    progress.begin("making the meshes");
+    const Outcome<bench::BakePlan> plan = planOf(flags);
+    if (!plan) {
+        return plan.failure();
+    }
+    const Outcome<GlSession> session = GlSession::open(flags.gl);
+    if (!session) {
+        return session.failure();
+    }
+    std::error_code code;
+    fs::create_directories(flags.out, code);
+    if (code) {
+        return badInput("--out " + flags.out + ": cannot be made: " + code.message());
+    }
+    const auto tell = [&](const std::string& next, double done) {
+        progress.begin(next);
+        progress.update(done);
+        return !Interruption::happened();
+    };
+    const auto rows = bench::runBakePlan(*plan, session->loader(), tell);
+    progress.pause();
+    if (!rows) {
+        return Failure{ExitCode::Failed, rows.status().message()};
+    }
+    const bench::MachineInfo machine = bench::describeMachine(session->describe());
+    const std::string where = machine.cpu + ", " + std::to_string(machine.cores) + " cores; " +
+                              machine.driver + "; map " + std::to_string(plan->mapSize) +
+                              "^2, truth " + std::to_string(plan->truthRays) + " rays";
+    const fs::path folder(flags.out);
+    for (const std::string& reason :
+         {bench::writeText(folder / "bake.csv", bench::bakeCsv(*rows)),
+          bench::writeText(folder / "bake.md", where + "\n\n" + bench::bakeMarkdown(*rows)),
+          bench::writePlot(bench::bakePlot(*rows, where), folder / "bake")}) {
+        if (!reason.empty()) {
+            return Failure{ExitCode::Failed, reason};
+        }
+    }
+    std::cout << where << "\n\n" << bench::bakeMarkdown(*rows);
+    return std::nullopt;
+}
+
+} // namespace
+
+void addBenchBake(CLI::App& bench, MaybeFailure& failure) {
+    using Method = bench::BakeMethodName;
+    const auto flags = std::make_shared<BenchBakeFlags>();
+    CLI::App* command =
+        bench.add_subcommand("bake", "time and error of the bakers over meshes of the sizes of "
+                                     "McGraw and Sowers 2008, table 1");
+    command
+        ->add_option(
+            "--mesh", flags->meshes,
+            "bumps-N (N triangles), a shape such as uv-shapes, or a model; may be repeated")
+        ->type_name("MESH")
+        ->allow_extra_args(false);
+    addChoice<Method>(
+        *command, "--method",
+        {{"rays", Method::Rays},
+         {"scatter", Method::Scatter},
+         {"scatter-unstretched", Method::ScatterUnstretched},
+         {"shadow", Method::Shadow}},
+        [flags](Method value) { flags->methods = {value}; }, "only this one; without it three");
+    addWholeNumber(
+        *command, "--samples", 1, 1 << 20, [flags](int count) { flags->samples = {count}; },
+        "rays per texel, or directions; without it 512 and 1024");
+    addWholeNumber(
+        *command, "--size", 16, 4096, [flags](int size) { flags->size = size; },
+        "texels along the map; without it 512, quick 128");
+    addWholeNumber(
+        *command, "--truth-rays", 1, kMostRays, [flags](int rays) { flags->truthRays = rays; },
+        "per texel")
+        ->default_str("4096");
+    addWholeNumber(
+        *command, "--repeats", 1, 100, [flags](int count) { flags->repeats = count; },
+        "of each bake; the median time counts")
+        ->default_str("1");
+    command->add_flag("--quick", flags->quick, "three meshes, small maps, 32 and 64 samples");
+    command->add_option("--out", flags->out, "folder for bake.csv, bake.md and the plot")
+        ->type_name("FOLDER");
+    flags->gl.attach(*command);
+    command->footer("Examples:\n"
+                    "  aolib bench bake --quick\n"
+                    "  aolib bench bake --mesh uv-shapes --samples 1024 --size 256");
+    command->callback([flags, &failure] { failure = benchBake(*flags); });
+}
+
+} // namespace aolib::app

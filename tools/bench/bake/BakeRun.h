@@ -1,0 +1,51 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <aolib/ProcAddressLoader.h>
+#include <aolib/Status.h>
+#include <aolib/bake/BakeScene.h>
+
+#include "bench/bake/MapErrors.h"
+
+namespace aolib::bench {
+
+enum class BakeMethodName { Rays, Scatter, ScatterUnstretched, Shadow };
+const char* bakeMethodName(BakeMethodName method);
+
+/// A mesh of the bakers' table.
+struct BakeMesh {
+    std::string name;
+    std::size_t triangles = 0;
+    bake::BakeScene scene; ///< one map
+};
+
+/// What is measured: every mesh by every method with every number of samples.
+struct BakePlan {
+    std::vector<BakeMesh> meshes;
+    std::vector<BakeMethodName> methods;
+    std::vector<int> samples; ///< rays per texel, or directions
+    int mapSize = 512;        ///< texels
+    int truthRays = 4096;     ///< per texel, of another seed than those measured
+    int repeats = 1;          ///< the median time counts
+};
+
+/// A line of the table.
+struct BakeRow {
+    std::string mesh;
+    std::size_t triangles = 0;
+    BakeMethodName method = BakeMethodName::Rays;
+    int samples = 0;
+    double seconds = 0.0; ///< of a whole bake: buffers, maps, padding; not of building ray trees
+    MapErrors errors;
+};
+
+/// Measures a plan, in the current context. @param tell  hears what comes next, and the rows so
+/// far; false ends the run, with the rows that there are.
+Result<std::vector<BakeRow>>
+runBakePlan(const BakePlan& plan, const ProcAddressLoader& loader,
+            const std::function<bool(const std::string& next, double done)>& tell);
+
+} // namespace aolib::bench

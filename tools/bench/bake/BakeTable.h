@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bench/bake/BakeRun.h"
+#include "bench/plot/Plot.h"
+
+namespace aolib::bench {
+
+/// All figures of all rows, comma-separated.
+std::string bakeCsv(const std::vector<BakeRow>& rows);
+
+/// The rows as a table in Markdown, as docs/baking.md shows them.
+std::string bakeMarkdown(const std::vector<BakeRow>& rows);
+
+/// Seconds over triangles, a curve per method and number of samples.
+Plot bakePlot(const std::vector<BakeRow>& rows, const std::string& subtitle);
+
+} // namespace aolib::bench

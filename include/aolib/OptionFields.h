@@ -74,8 +74,10 @@ void visitOptions(OptionsType& o, Visitor&& visit) {
           "layered-intervals where the host draws: depth of what is seen, world units; 0 = radius "
           "/ 4");
     visit("texel-rays", o.rayTraced.rays, OptionRange{4, 65536}, "ray-traced: rays per texel");
-    visit("repair", o.rayTraced.repair,
-          "ray-traced: while the view rests, trace pixels finer than texels themselves");
+    visit(
+        "repair", o.rayTraced.repair,
+        "ray-traced, and layered-intervals with a tracer: while the view rests, trace pixels that "
+        "texels do not tell");
     visit("frame-budget", o.frameBudget, OptionRange{0.0, 1000.0},
           "milliseconds per frame for computing cube maps; 0 = each at once");
     visit("face-size", o.cubeMaps.faceSize, OptionRange{16, 4096},

@@ -66,7 +66,8 @@ struct LayeredIntervalsOptions {
 /// Settings of `Estimator::RayTraced`.
 struct RayTracedOptions {
     int rays = 256; ///< per texel when converged, count, 4 to 65536
-    /// While the view rests, also trace the pixels that texels do not quite tell, each by itself.
+    /// While the view rests, also trace the pixels that texels do not quite tell, each by itself;
+    /// of layered intervals as well where there is a tracer and no mesh has normals of its own.
     bool repair = true;
 
     bool operator==(const RayTracedOptions&) const = default;

@@ -194,6 +194,7 @@ Status BackboneCubemapped::followScene() {
     if (reach != builtRadius_) {
         builtRadius_ = reach;
         markAllDirty();
+        repair_->restart();
     }
     for (const Scene::Change& change : changes) {
         // Receivers up to a radius away from the change see a difference.
@@ -302,8 +303,7 @@ Status BackboneCubemapped::prepare(const Frame& frame) {
 Status BackboneCubemapped::repair(const Frame& frame) {
     repair_->follow(frame);
     TracerQueue* tracer = schedule_.tracer();
-    if (!context_.options.rayTraced.repair || tracer == nullptr ||
-        context_.options.estimator != Estimator::RayTraced || projected_.empty()) {
+    if (tracer == nullptr || projected_.empty()) {
         repair_->restart();
         converged_ = texelsComplete_;
         return {};

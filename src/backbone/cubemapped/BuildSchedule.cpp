@@ -28,9 +28,8 @@ Status BuildSchedule::chooseSource() {
                     "Estimator::RayTraced needs triangles: rays do not meet what a scene renderer "
                     "draws"};
         }
+        askTracer();
         if (!traced_) {
-            tracerQueue_ = std::make_unique<TracerQueue>(*context_.tracer);
-            tracerQueue_->setScene(context_.scene);
             traced_ = std::make_unique<RayTracedTexels>(context_, store_, details_, *tracerQueue_);
         }
         traced_->setRadius(radius_());
@@ -44,14 +43,37 @@ Status BuildSchedule::chooseSource() {
             raster_ = std::move(*raster);
         }
         source_ = raster_.get();
+        if (tracesPixels()) {
+            askTracer();
+        }
     }
     passes_ = source_->passes();
     return {};
 }
 
-void BuildSchedule::sceneChanged() {
-    if (traced_) {
+void BuildSchedule::askTracer() {
+    if (!tracerQueue_) {
+        tracerQueue_ = std::make_unique<TracerQueue>(*context_.tracer);
         tracerQueue_->setScene(context_.scene);
+    }
+}
+
+bool BuildSchedule::tracesPixels() const {
+    const Options& options = context_.options;
+    const bool layered = options.estimator == Estimator::LayeredIntervals;
+    const auto& meshes = context_.scene.meshes();
+    return options.rayTraced.repair && context_.tracer && !meshes.empty() && !context_.renderer &&
+           (options.estimator == Estimator::RayTraced ||
+            (layered && std::all_of(meshes.begin(), meshes.end(), [](const auto& one) {
+                 return one.second.normals.empty(); // rays are about geometric ones
+             })));
+}
+
+void BuildSchedule::sceneChanged() {
+    if (tracerQueue_) {
+        tracerQueue_->setScene(context_.scene);
+    }
+    if (traced_) {
         traced_->sceneChanged();
     }
 }

@@ -26,8 +26,8 @@ public:
     void sceneChanged();
     /// The tracer is about to be exchanged.
     void dropTracer();
-    /// What asks the tracer; null until something was traced.
-    TracerQueue* tracer() const { return tracerQueue_.get(); }
+    /// What asks the tracer for pixels of views at rest; null where they are not to be traced.
+    TracerQueue* tracer() const { return tracesPixels() ? tracerQueue_.get() : nullptr; }
     /// Drops what is held for a cube map on its way.
     void forget(CubeMapId id);
     /// Whether a cube map is about to look at the scene, over several frames.
@@ -49,6 +49,8 @@ public:
     std::size_t bytes() const { return raster_ ? raster_->bytes() : 0; }
 
 private:
+    void askTracer();
+    bool tracesPixels() const;
     void begin(CubeMapProjector& projector);
     Status advance(const std::vector<CubeMapProjector*>& projectors);
     void bringIn(CubeMapProjector& projector) const;

@@ -81,6 +81,7 @@ TEST_P(ProgressiveGLTest, EndsWhereComputingAtOnceDoes) {
     for (const Estimator estimator : {Estimator::HorizonSplit, Estimator::LayeredIntervals}) {
         Options o = options(estimator);
         o.blur.enabled = false;
+        o.rayTraced.repair = false; // which begins with a second frame
         SmallHost slow = hostWith(o);
         ASSERT_TRUE(slow.ao().addCubeMap({0.5F, 3, 5}).ok());
         EXPECT_GT(converge(slow), 2) << "a capture, passes, and 32 frames to come in";
@@ -284,6 +285,31 @@ Model fence() {
         addBox(model, {x, 0, -0.02F}, {x + 0.05F, 1.5F, 0.02F});
     }
     return model;
+}
+
+TEST_P(ProgressiveGLTest, LayeredIntervalsAreRepairedWhereThereIsATracer) {
+    Options o = options(Estimator::LayeredIntervals);
+    SmallHost traced = hostWith(options(Estimator::RayTraced), fence());
+    SmallHost layered = hostWith(o, fence());
+    o.rayTraced.repair = false;
+    SmallHost plain = hostWith(o, fence());
+    for (SmallHost* host : {&traced, &layered, &plain}) {
+        ASSERT_TRUE(host->ao().addCubeMap({0.5F, 3, 5}).ok());
+        ASSERT_GT(converge(*host), 0);
+    }
+    EXPECT_GT(layered.ao().statistics().pixelsTraced, 500U);
+    EXPECT_EQ(plain.ao().statistics().pixelsTraced, 0U);
+    const Picture truth = traced.visibility().visibility;
+    EXPECT_LT(rmse(layered.visibility().visibility, truth),
+              0.7 * rmse(plain.visibility().visibility, truth));
+    // A radius makes another question of it.
+    o.rayTraced.repair = true;
+    o.radius = 0.1F;
+    ASSERT_TRUE(layered.ao().setOptions(o).ok());
+    ASSERT_TRUE(layered.frame().ok());
+    EXPECT_EQ(layered.ao().statistics().pixelsTraced, 0U);
+    ASSERT_GT(converge(layered), 0);
+    EXPECT_GT(rmse(layered.visibility().visibility, truth), 0.05);
 }
 
 TEST_P(ProgressiveGLTest, RepairLastsUntilTheViewMovesAndComesBack) {

@@ -16,6 +16,7 @@ std::string across(int slices, int steps) {
 Options atOnce() {
     Options options;
     options.frameBudget = 0.0F;
+    options.rayTraced.repair = false;
     options.cubeMaps.place = false;
     return options;
 }
@@ -48,7 +49,7 @@ Method layeredCube(int slices, int steps, int faceSize, int cubeMaps, bool stand
 Method rayTracedCube(int rays, int faceSize, int cubeMaps = 1) {
     Options options = atOnce();
     options.estimator = Estimator::RayTraced;
-    options.rayTraced.rays = rays;
+    options.rayTraced = {.rays = rays, .repair = true};
     options.frameBudget = 5.0F;
     options.cubeMaps.faceSize = faceSize;
     options.cubeMaps.nearest = cubeMaps;
@@ -57,6 +58,15 @@ Method rayTracedCube(int rays, int faceSize, int cubeMaps = 1) {
                 (cubeMaps > 1 ? "-" + std::to_string(cubeMaps) + "maps" : ""),
             std::to_string(rays) + " " + size, Family::RayTracedCube,
             FacadeMethod{options, cubeMaps}};
+}
+
+/// The same with pixels of the view at rest traced themselves, or without.
+Method withRepair(Method method, bool repair) {
+    std::get<FacadeMethod>(method.how).options.rayTraced.repair = repair;
+    method.name += repair ? "-repaired" : "-moving";
+    method.label += repair ? " repaired" : " moving";
+    method.standard = kOnRequest;
+    return method;
 }
 
 Method horizonScreen(int directions, int steps) {
@@ -133,6 +143,8 @@ const std::vector<Method>& benchMethods() {
         layeredCube(8, 16, 512, 1),
         layeredCube(16, 32, 256, 1, kOnRequest),
         layeredCube(16, 32, 512, 1),
+        withRepair(layeredCube(8, 16, 512, 1), true),
+        withRepair(layeredCube(16, 32, 512, 1), true),
         layeredCube(4, 8, 1024, 1, kOnRequest),
         layeredCube(8, 16, 1024, 1),
         layeredCube(16, 32, 1024, 1, kOnRequest),
@@ -144,6 +156,7 @@ const std::vector<Method>& benchMethods() {
         rayTracedCube(1024, 512),
         rayTracedCube(256, 1024),
         rayTracedCube(256, 512, 10),
+        withRepair(rayTracedCube(256, 512), false),
         horizonCube(16, 16, 256),
         horizonCube(16, 16, 512),
         horizonScreen(8, 8),

@@ -128,7 +128,7 @@ TEST_P(GeometryGLTest, TrianglesWithoutAreaAndSliversChangeNothing) {
     // cube map changes what its codes of depth span, so that one at the border of a tolerance falls
     // out.
     EXPECT_LE(change.p99, 1.0 / 255.0);
-    EXPECT_LE(change.above, 0.005);
+    EXPECT_LE(change.above, 0.01); // a texel shades 0.0055 of the pixels
     EXPECT_LE(change.max, forEach(1.0 / 255.0, 0.1, 0.05));
     bounded(after, court(), options(kRadius), "slivers", forEach(0.095, 0.022, 0.022));
 }

@@ -1,7 +1,7 @@
 #include <array>
 #include <string>
 
-#include "GLTest.h"
+#include "CoreContexts.h"
 #include "RenderedScene.h"
 #include "TracedView.h"
 
@@ -103,9 +103,7 @@ TEST_P(AgainstTruthGLTest, ScreenAddsLittleToWhatTheTexelsHold) {
     }
 }
 
-// One context: the others differ in no pixel of what is measured here, and this takes a while.
-INSTANTIATE_TEST_SUITE_P(Egl, AgainstTruthGLTest, testing::Values(testContexts().front()),
-                         aolib::nameOf);
+AOLIB_FOR_CORE_CONTEXTS(AgainstTruthGLTest);
 
 } // namespace
 

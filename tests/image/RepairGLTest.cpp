@@ -5,7 +5,7 @@
 
 #include <aolib/RayTracing.h>
 
-#include "GLTest.h"
+#include "CoreContexts.h"
 #include "RenderedScene.h"
 #include "TracedView.h"
 
@@ -70,8 +70,7 @@ TEST_P(RepairGLTest, AViewAtRestBecomesTheTracedPicture) {
     }
 }
 
-// One context: the others differ in no pixel of what is measured here, and this takes a while.
-INSTANTIATE_TEST_SUITE_P(Egl, RepairGLTest, testing::Values(testContexts().front()), aolib::nameOf);
+AOLIB_FOR_CORE_CONTEXTS(RepairGLTest);
 
 } // namespace
 

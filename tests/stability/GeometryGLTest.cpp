@@ -124,8 +124,8 @@ TEST_P(GeometryGLTest, TrianglesWithoutAreaAndSliversChangeNothing) {
     const Shot after = shoot(model, options(kRadius), courtCamera(), cubeMaps_);
     const Change change = changeOf(before.picture.visibility, after.picture.visibility);
     report("max change", change.max);
-    // Rays: a texel right on an edge takes the one triangle or the other. Layered intervals: since faces
-    // are peeled one by one, six neighbouring texels of one cube map change; why is not known. It is
+    // Rays: a texel right on an edge takes the one triangle or the other. Layered intervals: six
+    // neighbouring texels of one cube map change, as they once did not; why is not known. It is
     // neither the span of their codes of depth nor the count of layers.
     EXPECT_LE(change.p99, 1.0 / 255.0);
     EXPECT_LE(change.above, 0.01); // a texel shades 0.0055 of the pixels

@@ -124,9 +124,9 @@ TEST_P(GeometryGLTest, TrianglesWithoutAreaAndSliversChangeNothing) {
     const Shot after = shoot(model, options(kRadius), courtCamera(), cubeMaps_);
     const Change change = changeOf(before.picture.visibility, after.picture.visibility);
     report("max change", change.max);
-    // Rays: a texel right on an edge takes the one triangle or the other. Layered intervals: six
-    // neighbouring texels of one cube map change, as they once did not; why is not known. It is
-    // neither the span of their codes of depth nor the count of layers.
+    // Rays: a texel right on an edge takes the one triangle or the other. Layered intervals: the
+    // slivers in the air, and they alone, change six neighbouring texels of one cube map, as they
+    // once did not.
     EXPECT_LE(change.p99, 1.0 / 255.0);
     EXPECT_LE(change.above, 0.01); // a texel shades 0.0055 of the pixels
     EXPECT_LE(change.max, forEach(1.0 / 255.0, 0.1, 0.05));

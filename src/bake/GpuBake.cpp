@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include <glm/geometric.hpp>
+
+#include "bake/MapLoop.h"
+#include "gl/StateGuard.h"
 
 namespace aolib::bake {
 
@@ -27,6 +31,31 @@ glm::vec4 GpuBake::ground() const {
     const glm::dvec3 point = double{*geometry.scene().ground} * geometry.up();
     const double height = glm::dot(glm::dvec3(frame.toFrame(point)), geometry.up());
     return {glm::vec3(geometry.up()), static_cast<float>(height)};
+}
+
+Result<BakeVertices> GpuBake::upload(int width, int height) const {
+    const gl::StateGuard guard(*gl);
+    return BakeVertices::create(*gl, geometry, frame, width, height);
+}
+
+Status GpuBake::addDirections(const DirectionPlan& plan, const BakeProgress& progress,
+                              const AddViews& add) const {
+    std::vector<LightView> views;
+    for (int first = 0; first < plan.directions; first += plan.atOnce) {
+        if (progress && !progress(double(first) / double(plan.directions))) {
+            return cancelledBake();
+        }
+        views.clear();
+        for (int i = first; i < std::min(first + plan.atOnce, plan.directions); ++i) {
+            const auto index = static_cast<std::uint32_t>(i);
+            const glm::dvec3 direction = lightDirection(plan.sky, geometry.up(), plan.seed, index);
+            views.push_back(lightView(frame, direction, plan.pictureSize, plan.seed, index));
+        }
+        const gl::StateGuard guard(*gl);
+        add(views);
+        gl->Finish();
+    }
+    return {};
 }
 
 double cosineNorm(Sky sky, int directions) {

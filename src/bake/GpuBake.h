@@ -1,17 +1,35 @@
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <new>
+#include <span>
+#include <utility>
 
 #include <aolib/ProcAddressLoader.h>
 #include <aolib/bake/AbstractBaker.h>
 
 #include "bake/BakeGeometry.h"
+#include "bake/BakeVertices.h"
+#include "bake/CheckOptions.h"
 #include "bake/LightView.h"
 #include "gl/Functions.h"
 
 namespace aolib::bake {
 
-/// What every baker on the GPU has.
+/// The directions of light of a bake, and the pictures taken along them.
+struct DirectionPlan {
+    int directions = 0;
+    int atOnce = 1;      ///< pictures between two calls of the progress callback
+    int pictureSize = 0; ///< pixels along a picture's side
+    Sky sky = Sky::Sphere;
+    std::uint32_t seed = 0;
+};
+
+/// Adds what up to `atOnce` directions light, on a clean slate of GL state.
+using AddViews = std::function<void(std::span<const LightView> views)>;
+
+/// What every baker on the GPU has, and does.
 struct GpuBake {
     std::unique_ptr<gl::Functions> gl; ///< in one place: GL objects refer to it
     BakeGeometry geometry;
@@ -22,6 +40,12 @@ struct GpuBake {
 
     /// Up and the ground's height along it, in the frame; 0 where there is no ground.
     glm::vec4 ground() const;
+    /// The triangles, for maps of this size. Errors: OutOfMemory.
+    Result<BakeVertices> upload(int width, int height) const;
+    /// Goes through all directions, giving the host its GL state and the word in between.
+    /// Errors: Cancelled.
+    Status addDirections(const DirectionPlan& plan, const BakeProgress& progress,
+                         const AddViews& add) const;
 };
 
 /// Visibility per unit of summed cosines of all directions of a sky: a point that no direction is
@@ -32,5 +56,21 @@ double cosineNorm(Sky sky, int directions);
 /// @param norm  visibility per weight.
 void setTexel(BakedMap& map, std::size_t texel, const glm::vec4& sum, double norm,
               const glm::dvec3& normal);
+
+/// Makes a baker of a GpuBake and its options. Errors: as createScatterBaker() says.
+template <typename Baker, typename Options>
+Result<std::unique_ptr<AbstractBaker>> createGpuBaker(const ProcAddressLoader& loader,
+                                                      BakeScene scene, const Options& options) try {
+    if (Status status = check(options); !status) {
+        return status;
+    }
+    Result<GpuBake> gpu = GpuBake::create(loader, std::move(scene));
+    if (!gpu) {
+        return gpu.status();
+    }
+    return std::unique_ptr<AbstractBaker>(std::make_unique<Baker>(std::move(*gpu), options));
+} catch (const std::bad_alloc&) {
+    return Status(StatusCode::OutOfMemory, "no memory left for the scene to bake");
+}
 
 } // namespace aolib::bake

@@ -4,13 +4,12 @@
 #include <array>
 #include <cmath>
 #include <new>
-#include <string>
 #include <utility>
 
 #include <glm/geometric.hpp>
 
 #include "bake/CheckOptions.h"
-#include "bake/MapFill.h"
+#include "bake/MapLoop.h"
 #include "bake/VertexFitting.h"
 #include "reference/ParallelLoop.h"
 
@@ -24,10 +23,6 @@ static_assert(tileSide * tileSide == int{HemisphereTracer::capacity});
 
 /// Kinds of receivers draw their rays from sequences of their own.
 constexpr int vertexKind = 8191;
-
-Status cancelled() {
-    return {StatusCode::Cancelled, "the bake was cancelled"};
-}
 
 glm::vec3 unitOr(const glm::vec3& v, const glm::dvec3& fallback) {
     const float length = glm::length(v);
@@ -100,33 +95,12 @@ bool RayBaker::traceMap(const TexelRaster& raster, int number, BakedMap& map,
 }
 
 Result<std::vector<BakedMap>> RayBaker::bakeMaps(const MapOptions& options,
-                                                 const BakeProgress& progress) try {
-    if (Status status = check(options); !status) {
-        return status;
-    }
-    const int count = geometry_.scene().mapCount();
-    std::vector<BakedMap> maps;
-    bool covered = false;
-    for (int number = 0; number < count; ++number) {
-        const TexelRaster raster(geometry_.scene(), number, options.width, options.height);
-        covered = covered || raster.coveredTexels() > 0;
-        BakedMap& map = maps.emplace_back(emptyMap(raster));
-        const auto share = [&](double fraction) {
-            return !progress || progress((number + fraction) / count);
-        };
-        if (!traceMap(raster, number, map, share)) {
-            return cancelled();
-        }
-        finish(map, options);
-    }
-    if (!covered) {
-        return Status(StatusCode::InvalidPosition, "no triangle has UVs that cover a texel");
-    }
-    return maps;
-} catch (const std::bad_alloc&) {
-    return Status(StatusCode::OutOfMemory, "no memory left for maps of " +
-                                               std::to_string(options.width) + " x " +
-                                               std::to_string(options.height) + " texels");
+                                                 const BakeProgress& progress) {
+    const auto bake = [this](const TexelRaster& raster, int number, BakedMap& map,
+                             const BakeProgress& share) {
+        return traceMap(raster, number, map, share) ? Status() : cancelledBake();
+    };
+    return bakeEachMap(geometry_.scene(), options, progress, bake);
 }
 
 Result<std::vector<glm::vec4>> RayBaker::tracePoints(const std::vector<SurfacePoint>& points,
@@ -146,7 +120,7 @@ Result<std::vector<glm::vec4>> RayBaker::tracePoints(const std::vector<SurfacePo
                                   unitOr(openness.direction, receiver.point.normal)};
     };
     if (!traceGroups((points.size() + size - 1) / size, fill, take, progress)) {
-        return cancelled();
+        return cancelledBake();
     }
     return values;
 }
@@ -193,19 +167,7 @@ Result<std::vector<BakedVertices>> RayBaker::bakeVertices(const VertexOptions& o
     if (!values) {
         return values.status();
     }
-    std::vector<BakedVertices> result;
-    for (const std::vector<std::uint32_t>& numbers : weld.number) {
-        BakedVertices& vertices = result.emplace_back();
-        for (const std::uint32_t number : numbers) {
-            const bool used = number != VertexWeld::unused;
-            const glm::vec4 value = used ? (*values)[number] : glm::vec4(1.0F, 0.0F, 0.0F, 0.0F);
-            vertices.visibility.push_back(std::clamp(value.x, 0.0F, 1.0F));
-            vertices.bentNormal.push_back(
-                unitOr(glm::vec3(value.y, value.z, value.w),
-                       used ? weld.points[number].normal : geometry_.up()));
-        }
-    }
-    return result;
+    return unweldedVertices(geometry_, weld, *values);
 } catch (const std::bad_alloc&) {
     return Status(StatusCode::OutOfMemory, "no memory left for the values of vertices");
 }

@@ -12,6 +12,7 @@
 #include "bake/BakeVertices.h"
 #include "bake/CheckOptions.h"
 #include "bake/MapFill.h"
+#include "bake/MapLoop.h"
 #include "bake/SurfaceSamples.h"
 #include "gl/StateGuard.h"
 
@@ -79,20 +80,19 @@ Result<ScatterBaker::Sums> ScatterBaker::sumStack(const ScatterPasses::Settings&
         passes.addCoverage(vertices);
         sums.coverage = passes.coverage();
     }
-    for (int first = 0; first < options_.directions; first += directionsAtOnce) {
-        if (progress && !progress(double(first) / double(options_.directions))) {
-            return Status(StatusCode::Cancelled, "the bake was cancelled");
+    DirectionPlan plan;
+    plan.directions = options_.directions;
+    plan.atOnce = directionsAtOnce;
+    plan.pictureSize = settings.rasterSize;
+    plan.sky = options_.sky;
+    plan.seed = options_.seed;
+    const auto add = [&](std::span<const LightView> views) {
+        for (const LightView& view : views) {
+            passes.addDirection(vertices, view);
         }
-        const gl::StateGuard guard(gl);
-        const int last = std::min(first + directionsAtOnce, options_.directions);
-        for (int i = first; i < last; ++i) {
-            const auto index = static_cast<std::uint32_t>(i);
-            const glm::dvec3 direction =
-                lightDirection(options_.sky, gpu_.geometry.up(), options_.seed, index);
-            passes.addDirection(vertices, lightView(gpu_.frame, direction, settings.rasterSize,
-                                                    options_.seed, index));
-        }
-        gl.Finish();
+    };
+    if (Status status = gpu_.addDirections(plan, progress, add); !status) {
+        return status;
     }
     const gl::StateGuard guard(gl);
     sums.light = passes.sums();
@@ -152,22 +152,16 @@ Result<std::vector<BakedMap>> ScatterBaker::bakeMaps(const MapOptions& options,
         covered = covered || rasters.back().coveredTexels() > 0;
     }
     if (!covered) {
-        return Status(StatusCode::InvalidPosition, "no triangle has UVs that cover a texel");
+        return noTexels();
     }
     ScatterPasses::Settings settings;
     settings.rasterSize = rasterSize(rasters);
     settings.pointSize = options_.pointSize;
     settings.density = options_.stretchCorrection ? 0.0F : density(rasters);
     settings.ground = gpu_.ground();
-    BakeVertices vertices;
-    {
-        const gl::StateGuard guard(*gpu_.gl);
-        Result<BakeVertices> made = BakeVertices::create(*gpu_.gl, gpu_.geometry, gpu_.frame,
-                                                         options.width, options.height);
-        if (!made) {
-            return made.status();
-        }
-        vertices = std::move(*made);
+    const Result<BakeVertices> vertices = gpu_.upload(options.width, options.height);
+    if (!vertices) {
+        return vertices.status();
     }
     std::vector<BakedMap> maps;
     for (int first = 0; first < count; first += atOnce) {
@@ -175,7 +169,7 @@ Result<std::vector<BakedMap>> ScatterBaker::bakeMaps(const MapOptions& options,
         const auto share = [&](double fraction) {
             return !progress || progress((first + fraction * settings.stack.count) / count);
         };
-        const Result<Sums> sums = sumStack(settings, vertices, share);
+        const Result<Sums> sums = sumStack(settings, *vertices, share);
         if (!sums) {
             return sums.status();
         }
@@ -190,9 +184,7 @@ Result<std::vector<BakedMap>> ScatterBaker::bakeMaps(const MapOptions& options,
     }
     return maps;
 } catch (const std::bad_alloc&) {
-    return Status(StatusCode::OutOfMemory, "no memory left for maps of " +
-                                               std::to_string(options.width) + " x " +
-                                               std::to_string(options.height) + " texels");
+    return noMemoryForMaps(options);
 }
 
 Result<std::vector<BakedVertices>> ScatterBaker::bakeVertices(const VertexOptions& /*options*/,
@@ -203,17 +195,8 @@ Result<std::vector<BakedVertices>> ScatterBaker::bakeVertices(const VertexOption
 
 Result<std::unique_ptr<AbstractBaker>> createScatterBaker(const ProcAddressLoader& loader,
                                                           BakeScene scene,
-                                                          const ScatterOptions& options) try {
-    if (Status status = check(options); !status) {
-        return status;
-    }
-    Result<GpuBake> gpu = GpuBake::create(loader, std::move(scene));
-    if (!gpu) {
-        return gpu.status();
-    }
-    return std::unique_ptr<AbstractBaker>(std::make_unique<ScatterBaker>(std::move(*gpu), options));
-} catch (const std::bad_alloc&) {
-    return Status(StatusCode::OutOfMemory, "no memory left for the scene to bake");
+                                                          const ScatterOptions& options) {
+    return createGpuBaker<ScatterBaker>(loader, std::move(scene), options);
 }
 
 } // namespace aolib::bake

@@ -8,6 +8,7 @@
 
 #include "bake/GpuBake.h"
 #include "bake/ShadowPasses.h"
+#include "bake/TexelRaster.h"
 
 namespace aolib::bake {
 
@@ -25,10 +26,12 @@ public:
 private:
     using Receivers = std::span<const std::optional<SurfacePoint>>;
 
-    Result<BakeVertices> upload(int width, int height) const;
     Result<std::vector<glm::vec4>> sumsAt(Receivers receivers, const glm::ivec2& size,
                                           const BakeVertices& vertices,
                                           const BakeProgress& progress) const;
+
+    Status bakeMap(const TexelRaster& raster, const BakeVertices& vertices, BakedMap& map,
+                   const BakeProgress& progress) const;
 
     GpuBake gpu_;
     ShadowOptions options_;

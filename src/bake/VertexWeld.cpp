@@ -1,5 +1,6 @@
 #include "bake/VertexWeld.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -109,6 +110,24 @@ VertexWeld weldVertices(const BakeGeometry& geometry) {
         point.plane = glm::dot(point.plane, point.normal) < 0.0 ? -point.plane : point.plane;
     }
     return weld;
+}
+
+std::vector<BakedVertices> unweldedVertices(const BakeGeometry& geometry, const VertexWeld& weld,
+                                            const std::vector<glm::vec4>& values) {
+    std::vector<BakedVertices> result;
+    for (const std::vector<std::uint32_t>& numbers : weld.number) {
+        BakedVertices& vertices = result.emplace_back();
+        for (const std::uint32_t number : numbers) {
+            const bool used = number != VertexWeld::unused;
+            const glm::vec4 value = used ? values[number] : glm::vec4(1.0F, 0.0F, 0.0F, 0.0F);
+            const glm::vec3 direction(value.y, value.z, value.w);
+            const float length = glm::length(direction);
+            const glm::dvec3 normal = used ? weld.points[number].normal : geometry.up();
+            vertices.visibility.push_back(std::clamp(value.x, 0.0F, 1.0F));
+            vertices.bentNormal.push_back(length > 0.0F ? direction / length : glm::vec3(normal));
+        }
+    }
+    return result;
 }
 
 } // namespace aolib::bake

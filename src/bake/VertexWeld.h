@@ -4,6 +4,10 @@
 #include <cstdint>
 #include <vector>
 
+#include <glm/vec4.hpp>
+
+#include <aolib/bake/AbstractBaker.h>
+
 #include "bake/BakeGeometry.h"
 
 namespace aolib::bake {
@@ -21,5 +25,11 @@ struct VertexWeld {
 
 /// Of all surfaces that do not only occlude.
 VertexWeld weldVertices(const BakeGeometry& geometry);
+
+/// The surfaces' vertices with the values of their numbers.
+/// @param values  per number: W, clamped to [0,1] here, and a direction of any length; where that
+/// is zero the normal takes its place.
+std::vector<BakedVertices> unweldedVertices(const BakeGeometry& geometry, const VertexWeld& weld,
+                                            const std::vector<glm::vec4>& values);
 
 } // namespace aolib::bake

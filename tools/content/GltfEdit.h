@@ -13,6 +13,8 @@
 
 namespace aolib {
 
+struct GltfContent;
+
 /// A glTF that is changed in places and otherwise kept as it is, extensions that nobody here knows
 /// included, and written as one GLB. Numbers name elements of the JSON's arrays and must be those
 /// of a glTF that readGltf() could read.
@@ -56,10 +58,9 @@ public:
     Loaded<std::string> glb() const;
 
 private:
-    struct Content;
-    explicit GltfEdit(std::unique_ptr<Content> content);
+    explicit GltfEdit(std::unique_ptr<GltfContent> content);
 
-    std::unique_ptr<Content> content_;
+    std::unique_ptr<GltfContent> content_;
 };
 
 } // namespace aolib

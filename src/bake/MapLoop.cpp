@@ -1,0 +1,56 @@
+#include "bake/MapLoop.h"
+
+#include <new>
+#include <string>
+
+#include "bake/CheckOptions.h"
+#include "bake/MapFill.h"
+
+namespace aolib::bake {
+
+Status cancelledBake() {
+    return {StatusCode::Cancelled, "the bake was cancelled"};
+}
+
+Status noTexels() {
+    return {StatusCode::InvalidPosition, "no triangle has UVs that cover a texel"};
+}
+
+Status noMemoryForMaps(const MapOptions& options) {
+    return {StatusCode::OutOfMemory, "no memory left for maps of " + std::to_string(options.width) +
+                                         " x " + std::to_string(options.height) + " texels"};
+}
+
+Result<std::vector<BakedMap>> bakeEachMap(const BakeScene& scene, const MapOptions& options,
+                                          const BakeProgress& progress,
+                                          const BakeOneMap& bake) try {
+    if (Status status = check(options); !status) {
+        return status;
+    }
+    const int count = scene.mapCount();
+    std::vector<BakedMap> maps;
+    bool covered = false;
+    for (int number = 0; number < count; ++number) {
+        const TexelRaster raster(scene, number, options.width, options.height);
+        covered = covered || raster.coveredTexels() > 0;
+        const auto share = [&](double fraction) {
+            return !progress || progress((number + fraction) / count);
+        };
+        BakedMap& map = maps.emplace_back(emptyMap(raster));
+        if (Status status = bake(raster, number, map, share); !status) {
+            return status;
+        }
+        finish(map, options);
+    }
+    if (!covered) {
+        return noTexels();
+    }
+    if (progress) {
+        progress(1.0);
+    }
+    return maps;
+} catch (const std::bad_alloc&) {
+    return noMemoryForMaps(options);
+}
+
+} // namespace aolib::bake

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+
+#include <aolib/bake/AbstractBaker.h>
+
+#include "app/Outcome.h"
+#include "app/OutputFiles.h"
+
+namespace aolib::app {
+
+/// What baked values go to: a model's textures or its vertices. Called once each, in this order.
+class AbstractBakeDestination {
+public:
+    AbstractBakeDestination() = default;
+    AbstractBakeDestination(const AbstractBakeDestination&) = delete;
+    AbstractBakeDestination& operator=(const AbstractBakeDestination&) = delete;
+    virtual ~AbstractBakeDestination() = default;
+
+    /// Readies the model and announces files of its own, before the long work. Errors: BadInput.
+    virtual MaybeFailure prepare(OutputFiles& files) = 0;
+    /// Errors: the baker's.
+    virtual Status bake(bake::AbstractBaker& baker, const bake::BakeProgress& progress) = 0;
+    /// Puts the values into the model and into files. Gives a table for people.
+    virtual Outcome<std::string> put(OutputFiles& files) = 0;
+};
+
+} // namespace aolib::app

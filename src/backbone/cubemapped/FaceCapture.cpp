@@ -68,9 +68,8 @@ DistanceRange distanceRange(const Scene& scene, const glm::vec3& centre) {
 bool FaceCapture::draw(gl::GLSLShader& shader, int face) const {
     const gl::Functions& gl = context_.gl;
     const float near = range_.nearest / std::numbers::sqrt3_v<float>;
-    const float far = range_.farthest;
-    shader.set("uDepthMap",
-               glm::vec2((far + near) / (far - near), -2.0F * far * near / (far - near)));
+    // Without a far plane: what lies far away must not round the depth of what lies near.
+    shader.set("uDepthMap", glm::vec2(1.0F, -2.0F * near));
     shader.set("uCubeToFace", cubeToFace(face));
     gl.Enable(GL_DEPTH_TEST);
     bool drawn = false;

@@ -6,6 +6,8 @@
 
 #include <aolib/OptionFields.h>
 
+#include "backbone/cubemapped/Eviction.h"
+
 namespace aolib {
 
 namespace {
@@ -47,6 +49,15 @@ Status checkOptions(const Options& options) {
     if (checker.status && options.blur.size % 2 == 0) {
         return {StatusCode::InvalidOption,
                 "blur-size is " + std::to_string(options.blur.size) + "; it must be odd"};
+    }
+    const CubeMapOptions& cubeMaps = options.cubeMaps;
+    if (checker.status && Eviction::layersWithin(cubeMaps, kFaces) < kFaces) {
+        std::ostringstream text;
+        text << "memory-budget is " << cubeMaps.memoryBudget << " MiB; a cube map with faces of "
+             << cubeMaps.faceSize << " x " << cubeMaps.faceSize << " texels takes "
+             << static_cast<double>(kFaces * FaceStore::bytesPerLayer(cubeMaps.faceSize)) /
+                    (1 << 20);
+        return {StatusCode::InvalidOption, text.str()};
     }
     return checker.status;
 }

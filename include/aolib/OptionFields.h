@@ -88,6 +88,8 @@ void visitOptions(OptionsType& o, Visitor&& visit) {
           "share of shaded pixels below which a cube map is placed");
     visit("projection", o.cubeMaps.projection, kProjectionMethodChoices,
           "how cube maps reach the picture");
+    visit("memory-budget", o.cubeMaps.memoryBudget, OptionRange{0.0, 1048576.0},
+          "MiB of GPU memory that cube maps may keep; 0 = no limit");
     visit("outlines", o.cubeMaps.outlines, "draw a wire cube where each cube map stands");
     visit("blur", o.blur.enabled, "edge-aware blur of horizon-split and of screen space");
     visit("blur-size", o.blur.size, OptionRange{1, 15}, "edge length of the blur, pixels, odd");

@@ -80,6 +80,9 @@ struct CubeMapOptions {
     bool place = true;      ///< place new cube maps at the camera where coverage falls short
     float coverage = 0.75F; ///< share of shaded pixels below which one is placed, 0 to 1
     ProjectionMethod projection = ProjectionMethod::SinglePass;
+    /// MiB that cube maps may keep on the GPU, room for one at least; 0 = no limit. Those placed by
+    /// coverage give way to newer ones, the least useful to recent views first.
+    float memoryBudget = 512.0F;
     bool outlines = false; ///< draw a small wire cube where each cube map stands
 };
 

@@ -30,6 +30,7 @@ struct Statistics {
     std::uint64_t coverageFrame = 0; ///< the frame that `coverage` was counted in
     int cubeMapsProjected = 0;       ///< in the latest frame
     int cubeMapsBuilt = 0;           ///< in the latest frame, placed or rebuilt
+    std::uint64_t cubeMapsEvicted = 0; ///< so far, to keep the memory budget
     std::size_t pixelsTraced = 0;    ///< of a view at rest, by themselves: finer than texels
     float computed = 1.0F;           ///< share of the passes that the latest frame's cube maps need
     bool converged = true;           ///< nothing is left to compute for what the latest frame shows

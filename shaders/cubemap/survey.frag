@@ -8,8 +8,10 @@ uniform vec2 uTargetSize;
 uniform int uCubes;
 
 // From the eye to the surface, world axes; what the pixel covers there, world units, negative where no
-// cube map shades it, 0 for background.
+// cube map shades it, 0 for background. The lowest bits of that number, kCubeMask, name the best cube map.
 layout(location = 0) out vec4 outSample;
+
+const int kCubeMask = 63; // as many as uCubeToEye names
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy / uTargetSize * uViewSize);
@@ -26,5 +28,7 @@ void main() {
         project(cube, eyeTo, normal, resolution, best);
     }
     refine(eyeTo, normal, resolution, best);
-    outSample = vec4(eyeTo, (best.weights > 0.0 ? 1.0 : -1.0) * pixelFootprint(surface.t));
+    int cube = best.quality > 0.0 ? best.cube : max(best.guess, 0);
+    float footprint = intBitsToFloat((floatBitsToInt(pixelFootprint(surface.t)) & ~kCubeMask) | cube);
+    outSample = vec4(eyeTo, best.weights > 0.0 ? footprint : -footprint);
 }

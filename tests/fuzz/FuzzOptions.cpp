@@ -54,8 +54,11 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     Fill fill{bytes};
     aolib::visitOptions(options, fill);
     const aolib::Status status = aolib::checkOptions(options);
-    const bool together = !(options.backbone == aolib::Backbone::ScreenSpace &&
-                            options.estimator == aolib::Estimator::RayTraced);
+    const aolib::CubeMapOptions& maps = options.cubeMaps;
+    const double texels = 6.0 * maps.faceSize * maps.faceSize;
+    const bool room = maps.memoryBudget == 0.0F || maps.memoryBudget * 1048576.0 > 3.01 * texels;
+    const bool together = room && !(options.backbone == aolib::Backbone::ScreenSpace &&
+                                    options.estimator == aolib::Estimator::RayTraced);
     aolib::fuzz::require(!status.ok() || fill.inRange, "what is accepted lies in its range");
     aolib::fuzz::require(status.ok() || !fill.inRange || !together,
                          "what lies in range is accepted");

@@ -63,18 +63,35 @@ Result<CubeMapId> BackboneCubemapped::addCubeMap(const glm::vec3& position) {
         return Status(StatusCode::NoScene,
                       "there are no triangles to place a cube map among; describe a mesh first");
     }
-    followFaceSize();
+    followStore();
     if (Status status = followScene(); !status) {
         return status;
     }
+    while (store_.spare() < kFaces) {
+        const auto* victim = Eviction::victim(projectors_, {}, Eviction::For::Newcomer);
+        if (victim == nullptr) {
+            return Status(
+                StatusCode::OutOfMemory,
+                "the " + std::to_string(projectors_.size()) +
+                    " cube maps placed by hand leave no room for another within "
+                    "Options::cubeMaps.memoryBudget or the texture layers of this context");
+        }
+        evict(*victim);
+    }
+    return place(position, /*byHand=*/true);
+}
+
+Result<CubeMapId> BackboneCubemapped::place(const glm::vec3& position, bool byHand) {
     auto projector = CubeMapProjector::create(context_.gl, CubeMapId{nextId_},
                                               Placement::freePosition(context_.scene, position),
                                               store_.faceSize());
     if (!projector) {
         return projector.status();
     }
+    store_.reserve();
     projectors_.push_back(std::make_unique<CubeMapProjector>(std::move(*projector)));
     CubeMapProjector& placed = *projectors_.back();
+    placed.use.byHand = byHand;
     if (schedule_.atOnce()) {
         if (Status status = schedule_.compute({&placed}); !status) {
             removeCubeMap(placed.id());
@@ -93,8 +110,12 @@ Status BackboneCubemapped::removeCubeMap(CubeMapId id) {
     schedule_.forget(id);
     (*found)->dropDetails(store_, details_);
     (*found)->dropFaces(store_);
+    store_.release();
     std::erase(projected_, found->get());
     projectors_.erase(found);
+    for (const auto& projector : projectors_) {
+        projector->tiles.allowDetail(); // there may be room for it now
+    }
     cubeMapsChanged();
     return {};
 }
@@ -161,19 +182,29 @@ void BackboneCubemapped::optionsChanged(const Options& before) {
     }
 }
 
-void BackboneCubemapped::followFaceSize() {
-    const int faceSize = context_.options.cubeMaps.faceSize;
-    if (store_.faceSize() == faceSize) {
-        return;
+void BackboneCubemapped::followStore() {
+    const CubeMapOptions& options = context_.options.cubeMaps;
+    const int limit = Eviction::layersWithin(options, context_.gl.capabilities.maxTextureLayers);
+    if (store_.faceSize() != options.faceSize || limit < store_.layers()) {
+        for (const auto& projector : projectors_) {
+            schedule_.forget(projector->id());
+            projector->dropDetails(store_, details_);
+            projector->dropFaces(store_);
+            projector->tiles = TileProgress(options.faceSize);
+            projector->dirty = true;
+            projector->shown = false;
+        }
+        store_.reset(options.faceSize);
     }
-    for (const auto& projector : projectors_) {
-        projector->dropDetails(store_, details_);
-        projector->dropFaces(store_);
-        projector->tiles = TileProgress(faceSize);
-        projector->dirty = true;
-        projector->shown = false;
+    if (limit > store_.limit()) {
+        for (const auto& projector : projectors_) {
+            projector->tiles.allowDetail();
+        }
     }
-    store_.reset(faceSize);
+    store_.setLimit(limit);
+    while (store_.spare() < 0) {
+        evict(*Eviction::victim(projectors_, {}, Eviction::For::Budget));
+    }
 }
 
 Status BackboneCubemapped::followScene() {
@@ -230,7 +261,53 @@ Status BackboneCubemapped::placeWhereDue(const Frame& frame) {
                         context_.scene.bounds().diagonal())) {
         return {};
     }
-    return addCubeMap(frame.position).status();
+    return makeRoom(Eviction::For::Newcomer, frame) ? place(frame.position, false).status()
+                                                    : Status();
+}
+
+bool BackboneCubemapped::makeRoom(Eviction::For reason, const Frame& frame) {
+    const std::vector<CubeMapProjector*> used = nearest(frame.position);
+    while (store_.spare() < (reason == Eviction::For::Newcomer ? kFaces : 1)) {
+        CubeMapProjector* victim = Eviction::victim(projectors_, used, reason);
+        if (victim == nullptr) {
+            return false;
+        }
+        const bool inView =
+            victim->shown && std::find(used.begin(), used.end(), victim) != used.end();
+        if (inView && !schedule_.atOnce()) {
+            victim->use.retiring = true;
+            return false;
+        }
+        evict(*victim);
+    }
+    return true;
+}
+
+void BackboneCubemapped::evictWhereDue(const Frame& frame) {
+    const std::vector<CubeMapProjector*> used = nearest(frame.position);
+    const auto gone = [&](const auto& projector) {
+        return projector->use.retiring &&
+               (projector->bias <= CubeMapProjector::kNewcomer || schedule_.atOnce() ||
+                std::find(used.begin(), used.end(), projector.get()) == used.end());
+    };
+    for (auto found = std::find_if(projectors_.begin(), projectors_.end(), gone);
+         found != projectors_.end();
+         found = std::find_if(projectors_.begin(), projectors_.end(), gone)) {
+        evict(**found);
+    }
+    const bool refused = std::any_of(projectors_.begin(), projectors_.end(), [](const auto& one) {
+        return one->use.surveysUnseen == 0 && one->tiles.refusedDetail();
+    });
+    if (refused && makeRoom(Eviction::For::Detail, frame)) {
+        for (const auto& projector : projectors_) {
+            projector->tiles.allowDetail();
+        }
+    }
+}
+
+void BackboneCubemapped::evict(const CubeMapProjector& projector) {
+    ++evicted_;
+    removeCubeMap(projector.id());
 }
 
 std::vector<CubeMapProjector*> BackboneCubemapped::nearest(const glm::vec3& camera) const {
@@ -253,6 +330,7 @@ void BackboneCubemapped::heedSurvey(const std::vector<CubeMapProjector*>& projec
     }
     latestSurvey_ = answer;
     shownSurvey_ = *answer;
+    Eviction::follow(projectors_, answer->best);
     for (CubeMapProjector* projector : projectors) {
         const glm::vec3 toEye(answer->eye - glm::dvec3(projector->position()));
         const auto size = static_cast<float>(projector->tiles.faceSize());
@@ -272,11 +350,12 @@ void BackboneCubemapped::heedSurvey(const std::vector<CubeMapProjector*>& projec
 Status BackboneCubemapped::prepare(const Frame& frame) {
     schedule_.beginFrame();
     projected_.clear();
-    followFaceSize();
+    followStore();
     if (Status status = followScene(); !status) {
         return status;
     }
     heedSurvey(nearest(frame.position));
+    evictWhereDue(frame);
     if (Status status = placeWhereDue(frame); !status) {
         return status;
     }
@@ -357,6 +436,7 @@ void BackboneCubemapped::addStatistics(Statistics& statistics) {
     statistics.coverageFrame = shownSurvey_.frame;
     statistics.cubeMapsProjected = static_cast<int>(projected_.size());
     statistics.cubeMapsBuilt = schedule_.begun();
+    statistics.cubeMapsEvicted = evicted_;
     statistics.converged = converged_;
     statistics.pixelsTraced = repair_->pixels();
     TileProgress::Share sum;

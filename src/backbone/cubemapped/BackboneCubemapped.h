@@ -8,6 +8,7 @@
 #include "backbone/SceneGeometry.h"
 #include "backbone/cubemapped/BuildSchedule.h"
 #include "backbone/cubemapped/CubeMapOutlines.h"
+#include "backbone/cubemapped/Eviction.h"
 #include "backbone/cubemapped/Projection.h"
 #include "backbone/cubemapped/SightTest.h"
 #include "backbone/cubemapped/Survey.h"
@@ -48,12 +49,20 @@ private:
 
     /// Follows the scene: uploads, and marks the cube maps that see a change.
     Status followScene();
-    /// Follows the options' face size.
-    void followFaceSize();
+    /// Follows the options' face size and memory budget.
+    void followStore();
     void markAllDirty();
     void cubeMapsChanged();
+    /// Places a cube map, for which room is made first.
+    Result<CubeMapId> place(const glm::vec3& position, bool byHand);
     /// Places a cube map at the camera if one is due.
     Status placeWhereDue(const Frame& frame);
+    /// Makes room for one thing more, within some frames: what is in view fades out before it goes.
+    /// @return whether there is room now.
+    bool makeRoom(Eviction::For reason, const Frame& frame);
+    /// Has those go that have faded out, and makes room for detail that is in view.
+    void evictWhereDue(const Frame& frame);
+    void evict(const CubeMapProjector& projector);
     /// Takes the survey's answers: coverage, and what cube maps are asked for.
     void heedSurvey(const std::vector<CubeMapProjector*>& projectors);
     /// Traces the pixels of a view at rest that complete cube maps do not tell.
@@ -75,10 +84,12 @@ private:
 
     std::vector<std::unique_ptr<CubeMapProjector>> projectors_;
     std::uint32_t nextId_ = 1;
+    std::uint64_t evicted_ = 0;
     float builtRadius_ = 0.0F; ///< that the cube maps which are not dirty were built with
 
     std::optional<Survey::Answer> latestSurvey_; ///< of the cube maps as they are
-    Survey::Answer shownSurvey_{.frame = 0, .shaded = -1.0F, .points = {}, .footprints = {}};
+    Survey::Answer shownSurvey_{
+        .frame = 0, .shaded = -1.0F, .points = {}, .footprints = {}, .best = {}};
     std::uint64_t framesSurveyed_ = 0;
     std::vector<CubeMapProjector*> projected_; ///< in the latest frame
     bool texelsComplete_ = true; ///< of the cube maps in use, as far as views ask for them

@@ -9,7 +9,8 @@ namespace aolib {
 
 namespace {
 
-/// Frames over which a complete cube map comes in: its quality rises from kNewcomer to its own.
+/// Frames over which a complete cube map comes in: its quality rises from kNewcomer to its own. One
+/// that is to go falls as fast.
 constexpr int kFramesToComeIn = 32;
 
 } // namespace
@@ -143,11 +144,13 @@ Status BuildSchedule::advance(const std::vector<CubeMapProjector*>& projectors) 
 }
 
 void BuildSchedule::bringIn(CubeMapProjector& projector) const {
-    if (atOnce()) {
+    constexpr float kStep = -CubeMapProjector::kNewcomer / kFramesToComeIn;
+    if (projector.use.retiring) {
+        projector.bias = std::max(projector.bias - kStep, CubeMapProjector::kNewcomer);
+    } else if (atOnce()) {
         projector.bias = 0.0F;
     } else if (projector.bias < 0.0F && projector.shown && !projector.tiles.lacks(passes_)) {
-        const float step = CubeMapProjector::kNewcomer / kFramesToComeIn;
-        projector.bias = std::min(projector.bias - step, 0.0F);
+        projector.bias = std::min(projector.bias + kStep, 0.0F);
     }
 }
 

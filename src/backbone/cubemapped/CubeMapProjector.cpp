@@ -47,7 +47,7 @@ Status CubeMapProjector::keepFace(FaceStore& store, int face) {
     if (keeps(face)) {
         return {};
     }
-    const auto layer = store.take();
+    const auto layer = store.takeReserved();
     if (layer) {
         layers_[static_cast<std::size_t>(face)] = *layer;
     }
@@ -67,7 +67,7 @@ Status CubeMapProjector::keepFaces(FaceStore& store, const std::array<bool, kFac
 
 void CubeMapProjector::dropFace(FaceStore& store, int face) {
     if (keeps(face)) {
-        store.giveBack(layer(face));
+        store.giveBackReserved(layer(face));
         layers_[static_cast<std::size_t>(face)] = kNoLayer;
     }
 }

@@ -63,6 +63,16 @@ public:
     CubeMapImage read(const gl::Functions& gl, const FaceStore& store) const;
     CubeMapInfo info(const FaceStore& store);
 
+    /// What it is worth, for Eviction to weigh.
+    struct Use {
+        bool byHand = false;     ///< the host placed it
+        bool retiring = false;   ///< it fades out, then it goes
+        float usefulness = 1.0F; ///< running mean of the share of surfaces that it is the best for
+        int surveysUnseen = 0;   ///< since it was the best for any
+        int surveysComplete = 0; ///< since it came in
+    };
+    Use use;
+
     TileProgress tiles;
     /// The scene or the options changed what it sees: compute again before the next use.
     bool dirty = true;

@@ -1,7 +1,9 @@
 #include "backbone/cubemapped/FaceStore.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
+#include <string>
 
 namespace aolib {
 
@@ -20,10 +22,21 @@ void FaceStore::reset(int faceSize) {
     pages_ = {};
     slots_.clear();
     faceSize_ = faceSize;
+    unreserved_ = 0;
+}
+
+bool FaceStore::reserve() {
+    const bool room = spare() >= kFaces;
+    reserved_ += room ? kFaces : 0;
+    return room;
 }
 
 Status FaceStore::grow() {
-    const int layers = slots_.count() + kGrowth;
+    const int layers = std::min(slots_.count() + kGrowth, limit_);
+    if (layers <= slots_.count()) {
+        return {StatusCode::OutOfMemory, "aolib/faces: all " + std::to_string(limit_) +
+                                             " layers that there is room for are taken"};
+    }
     const auto create = [&](Format format, int size, const char* label) {
         return gl::TextureStack::create(
             *gl_,
@@ -43,7 +56,7 @@ Status FaceStore::grow() {
     if (!depth) {
         return depth.status();
     }
-    auto pages = create(Format::RG16, tilesPerEdge(), "aolib/faces/pages");
+    auto pages = create(Format::RG16, tilesPerEdge(faceSize_), "aolib/faces/pages");
     if (!pages) {
         return pages.status();
     }
@@ -60,6 +73,22 @@ Status FaceStore::grow() {
 }
 
 Result<int> FaceStore::take() {
+    if (spare() < 1) {
+        return Status(StatusCode::OutOfMemory,
+                      "aolib/faces: all " + std::to_string(limit_) +
+                          " layers that there is room for are taken or set aside");
+    }
+    const auto layer = takeReserved();
+    unreserved_ += layer ? 1 : 0;
+    return layer;
+}
+
+void FaceStore::giveBack(int layer) {
+    --unreserved_;
+    giveBackReserved(layer);
+}
+
+Result<int> FaceStore::takeReserved() {
     std::optional<int> taken = slots_.take();
     if (!taken) {
         if (Status status = grow(); !status) {
@@ -73,13 +102,13 @@ Result<int> FaceStore::take() {
     begin(layer);
     gl_->ClearBufferfv(GL_COLOR, 0, open.data());
     gl_->ClearBufferfv(GL_COLOR, 1, nothing.data());
-    const std::vector<std::uint16_t> none(
-        2 * static_cast<std::size_t>(tilesPerEdge() * tilesPerEdge()));
-    pages_.upload(layer, {0, 0}, {tilesPerEdge(), tilesPerEdge()}, none.data());
+    const int tiles = tilesPerEdge(faceSize_);
+    const std::vector<std::uint16_t> none(2 * static_cast<std::size_t>(tiles * tiles));
+    pages_.upload(layer, {0, 0}, {tiles, tiles}, none.data());
     return layer;
 }
 
-void FaceStore::giveBack(int layer) {
+void FaceStore::giveBackReserved(int layer) {
     if (slots_.giveBack(layer)) {
         reset(faceSize_);
     }
@@ -128,12 +157,6 @@ void FaceStore::bind(gl::GLSLShader& shader, int visibilityUnit, int depthUnit) 
     shader.set("uCubeVisibility", visibilityUnit);
     shader.set("uCubeDepth", depthUnit);
     shader.set("uFaceSize", faceSize_);
-}
-
-std::size_t FaceStore::bytesPerFace() const {
-    return (gl::RenderToTexture2D::bytesPerTexel(Format::R8) +
-            gl::RenderToTexture2D::bytesPerTexel(Format::R16)) *
-           static_cast<std::size_t>(faceSize_) * static_cast<std::size_t>(faceSize_);
 }
 
 std::size_t FaceStore::bytes() const {

@@ -294,7 +294,12 @@ Status RayTracedTexels::takeDetail(CubeMapProjector& projector, const TracedTexe
     }
     const auto block = projector.detailOf(store_, details_, tile);
     if (!block) {
-        return block.status();
+        if (store_.spare() > 0) {
+            return block.status();
+        }
+        projector.tiles.refuseDetail(tile); // what the face keeps has to do
+        work.details.erase(tile);
+        return {};
     }
     const Codes codes = encode(projector, traced, sums);
     details_.upload(*block, traced.request.width, traced.request.height, codes.visibility,

@@ -1,5 +1,7 @@
 #include "backbone/cubemapped/Survey.h"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 
@@ -9,6 +11,16 @@
 #include "gl/Label.h"
 
 namespace aolib {
+
+namespace {
+
+/// The number of the best cube map, which the lowest bits of a footprint tell
+/// (shaders/cubemap/survey.frag).
+std::size_t cubeMapOf(float footprint) {
+    return std::bit_cast<std::uint32_t>(footprint) & 63U;
+}
+
+} // namespace
 
 Result<Survey> Survey::create(const BackboneContext& context) {
     auto shader = buildShader(context.gl, "fullscreen.vert", "cubemap/survey.frag", {"AO_DETAIL"});
@@ -53,12 +65,18 @@ void Survey::take(const BackboneContext& context, const Frame& frame, const Host
         request.readback.start(kSize, kSize, GL_RGBA, GL_FLOAT);
         request.frame = frameNumber;
         request.eye = frame.camera.eye();
+        request.cubeMaps.clear();
+        for (const CubeMapProjector* projector : projectors) {
+            request.cubeMaps.push_back(projector->id());
+        }
         return;
     }
 }
 
 Survey::Answer Survey::evaluate(const Request& request, std::span<const std::uint8_t> pixels) {
-    Answer answer{.frame = request.frame, .eye = request.eye, .points = {}, .footprints = {}};
+    Answer answer{
+        .frame = request.frame, .eye = request.eye, .points = {}, .footprints = {}, .best = {}};
+    std::vector<std::size_t> shadedBy(request.cubeMaps.size() + 1, 0);
     std::size_t shaded = 0;
     for (std::size_t i = 0; i + sizeof(glm::vec4) <= pixels.size(); i += sizeof(glm::vec4)) {
         glm::vec4 sample;
@@ -66,12 +84,21 @@ Survey::Answer Survey::evaluate(const Request& request, std::span<const std::uin
         if (sample.w != 0.0F) {
             answer.points.emplace_back(sample);
             answer.footprints.push_back(std::abs(sample.w));
-            shaded += sample.w > 0.0F ? 1 : 0;
+            if (sample.w > 0.0F) {
+                ++shaded;
+                ++shadedBy[std::min(cubeMapOf(sample.w), request.cubeMaps.size())];
+            }
         }
     }
     answer.shaded = answer.points.empty()
                         ? 1.0F
                         : static_cast<float>(shaded) / static_cast<float>(answer.points.size());
+    for (std::size_t i = 0; i < request.cubeMaps.size(); ++i) {
+        if (shadedBy[i] > 0) {
+            answer.best[request.cubeMaps[i]] =
+                static_cast<float>(shadedBy[i]) / static_cast<float>(answer.points.size());
+        }
+    }
     return answer;
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -28,6 +29,9 @@ public:
         glm::dvec3 eye{0.0};           ///< of that frame, world units
         std::vector<glm::vec3> points; ///< of the surfaces, relative to the eye, world axes
         std::vector<float> footprints; ///< what a pixel covers there, square on, world units
+        /// Share of the surfaces that a cube map shades, as the best of all; none for those that
+        /// are best nowhere.
+        std::map<CubeMapId, float> best;
     };
     /// The newest answer that has arrived since the last call, if any.
     std::optional<Answer> poll();
@@ -41,6 +45,7 @@ private:
         gl::PixelReadback readback;
         std::uint64_t frame = 0;
         glm::dvec3 eye{0.0};
+        std::vector<CubeMapId> cubeMaps; ///< by the numbers that samples name them by
     };
     static Answer evaluate(const Request& request, std::span<const std::uint8_t> pixels);
 

@@ -60,8 +60,18 @@ void TileProgress::setDetailPasses(int tile, int passes) {
 
 bool TileProgress::lacksDetail(int passes) const {
     return std::any_of(tiles_.begin(), tiles_.end(), [&](const Tile& tile) {
-        return tile.fine && tile.rough && tile.detailPasses < passes;
+        return tile.detail() && tile.detailPasses < passes;
     });
+}
+
+bool TileProgress::refusedDetail() const {
+    return std::any_of(tiles_.begin(), tiles_.end(), [](const Tile& tile) { return tile.refused; });
+}
+
+void TileProgress::allowDetail() {
+    for (Tile& tile : tiles_) {
+        tile.refused = false;
+    }
 }
 
 TileProgress::Share TileProgress::share(int passes) const {
@@ -71,7 +81,7 @@ TileProgress::Share TileProgress::share(int passes) const {
             share.done += tile.passes;
             share.needed += passes;
         }
-        if (tile.fine && tile.rough) { // so many more texels
+        if (tile.detail()) { // so many more texels
             share.done += kDetailWeight * tile.detailPasses;
             share.needed += kDetailWeight * passes;
         }
@@ -119,6 +129,7 @@ void TileProgress::restart() {
     for (Tile& tile : tiles_) {
         tile.passes = 0;
         tile.rough = false;
+        tile.refused = false;
         tile.detailPasses = 0;
     }
 }

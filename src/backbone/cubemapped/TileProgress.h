@@ -51,10 +51,11 @@ public:
     /// have none: it lies in layers of their size.
     void askFine(int face, const glm::vec2& at);
     void setRough(int tile) { tiles_[static_cast<std::size_t>(tile)].rough = true; }
-    bool needsDetail(int tile) const {
-        const Tile& t = tiles_[static_cast<std::size_t>(tile)];
-        return t.fine && t.rough;
-    }
+    bool needsDetail(int tile) const { return tiles_[static_cast<std::size_t>(tile)].detail(); }
+    /// There is no room for a tile's detail: it needs none until allowDetail().
+    void refuseDetail(int tile) { tiles_[static_cast<std::size_t>(tile)].refused = true; }
+    bool refusedDetail() const;
+    void allowDetail();
     int detailPasses(int tile) const { return tiles_[static_cast<std::size_t>(tile)].detailPasses; }
     void setDetailPasses(int tile, int passes);
     bool lacksDetail(int passes) const;
@@ -74,8 +75,10 @@ private:
         bool asked = false;
         bool fine = false;
         bool rough = false;
+        bool refused = false;
         std::uint16_t passes = 0;
         std::uint16_t detailPasses = 0;
+        bool detail() const { return fine && rough && !refused; }
     };
     /// Visits the tile that a point lies in, and its neighbours where their border is near.
     template <typename Visit>

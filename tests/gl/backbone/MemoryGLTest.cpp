@@ -4,6 +4,7 @@
 
 #include <aolib/RayTracing.h>
 
+#include "GlObjects.h"
 #include "SmallScene.h"
 #include "backbone/cubemapped/TileProgress.h"
 
@@ -20,13 +21,8 @@ protected:
 
     /// All textures and buffers of the context, bytes.
     std::size_t inUse() {
-        const auto isTexture = reinterpret_cast<PFNGLISTEXTUREPROC>(loader("glIsTexture"));
-        const auto isBuffer = reinterpret_cast<PFNGLISBUFFERPROC>(loader("glIsBuffer"));
-        std::size_t bytes = 0;
-        for (GLuint name = 1; name < 1024; ++name) {
-            bytes += isTexture(name) == GL_TRUE ? textureBytes(name) : 0;
-            bytes += isBuffer(name) == GL_TRUE ? bufferBytes(name) : 0;
-        }
+        const std::size_t bytes = GlObjects(gl, loader).bytes();
+        (void)takeDriverMessages(); // about textures asked for as those of another kind
         return bytes;
     }
 
@@ -43,40 +39,6 @@ protected:
         host.ao().setTexelTracer(std::move(*createTexelTracer(1)));
         host.lookAt({4, 24, 40}, {0, 0.5F, 0}); // so far away that no view asks for detail
         return host;
-    }
-
-private:
-    std::size_t textureBytes(GLuint name) {
-        for (const GLenum target : {GL_TEXTURE_2D, GL_TEXTURE_2D_ARRAY}) {
-            gl.BindTexture(target, name);
-            if (takeError() != GL_NO_ERROR) {
-                continue; // of another kind
-            }
-            const auto level = [&](GLenum what) {
-                GLint value = 0;
-                gl.GetTexLevelParameteriv(target, 0, what, &value);
-                return static_cast<std::size_t>(value);
-            };
-            std::size_t bits = 0;
-            for (const GLenum channel :
-                 {GL_TEXTURE_RED_SIZE, GL_TEXTURE_GREEN_SIZE, GL_TEXTURE_BLUE_SIZE,
-                  GL_TEXTURE_ALPHA_SIZE, GL_TEXTURE_DEPTH_SIZE, GL_TEXTURE_STENCIL_SIZE}) {
-                bits += level(channel);
-            }
-            const std::size_t texels =
-                level(GL_TEXTURE_WIDTH) * level(GL_TEXTURE_HEIGHT) * level(GL_TEXTURE_DEPTH);
-            gl.BindTexture(target, 0);
-            (void)takeDriverMessages(); // about the other kind
-            return texels * bits / 8;
-        }
-        return 0;
-    }
-    std::size_t bufferBytes(GLuint name) {
-        GLint bytes = 0;
-        gl.BindBuffer(GL_PIXEL_PACK_BUFFER, name);
-        gl.GetBufferParameteriv(GL_PIXEL_PACK_BUFFER, GL_BUFFER_SIZE, &bytes);
-        gl.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
-        return static_cast<std::size_t>(bytes);
     }
 };
 

@@ -32,12 +32,30 @@ TEST(CheckOptionsTest, ValuesOutsideTheirRangeAreRefusedByName) {
     expectRefused("face-size", [](Options& o) { o.cubeMaps.faceSize = 15; });
     expectRefused("nearest", [](Options& o) { o.cubeMaps.nearest = 0; });
     expectRefused("coverage", [](Options& o) { o.cubeMaps.coverage = -0.1F; });
+    expectRefused("memory-budget", [](Options& o) { o.cubeMaps.memoryBudget = -1.0F; });
     expectRefused("blur-size", [](Options& o) { o.blur.size = 17; });
     expectRefused("blur-size", [](Options& o) { o.blur.size = 4; });
     expectRefused("falloff", [](Options& o) { o.falloff = static_cast<Falloff>(9); });
     expectRefused("backbone", [](Options& o) { o.backbone = static_cast<Backbone>(9); });
     expectRefused("estimator", [](Options& o) { o.estimator = static_cast<Estimator>(9); });
     expectRefused("debug-view", [](Options& o) { o.debugView = static_cast<DebugView>(99); });
+}
+
+TEST(CheckOptionsTest, TheMemoryBudgetHoldsACubeMapAtLeast) {
+    // Six faces, three bytes a texel: 4.5 MiB, and some bytes for pages.
+    expectRefused("memory-budget", [](Options& o) { o.cubeMaps.memoryBudget = 4.5F; });
+    expectRefused("memory-budget", [](Options& o) {
+        o.cubeMaps.memoryBudget = 64.0F;
+        o.cubeMaps.faceSize = 4096;
+    });
+    Options options;
+    options.cubeMaps.memoryBudget = 4.6F;
+    EXPECT_TRUE(checkOptions(options).ok());
+    options.cubeMaps.memoryBudget = 0.0F; // no limit
+    options.cubeMaps.faceSize = 4096;
+    EXPECT_TRUE(checkOptions(options).ok());
+    options.cubeMaps.memoryBudget = Options().cubeMaps.memoryBudget;
+    EXPECT_TRUE(checkOptions(options).ok()) << "the default suits every size of faces";
 }
 
 } // namespace

@@ -1,0 +1,137 @@
+// A long walk through more rooms than the memory budget has room for: memory and objects stay flat.
+// AOLIB_SOAK_FRAMES sets its length, and has the dearer estimators walk it too.
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <string_view>
+
+#include <unistd.h>
+
+#include <aolib/RayTracing.h>
+
+#include "GlObjects.h"
+#include "Rooms.h"
+#include "SmallScene.h"
+#include "backbone/cubemapped/FaceStore.h"
+
+namespace aolib {
+namespace {
+
+class SoakGLTest : public ContextTest, public testing::WithParamInterface<Estimator> {
+protected:
+    static constexpr int kRooms = 6;
+    static constexpr int kFramesPerLap = 160; ///< to the last room and back
+    static constexpr int kUsualFrames = 2 * kFramesPerLap;
+    static constexpr int kFaceSize = 128; ///< the least that has detail
+    static constexpr int kCubeMaps = 3;   ///< that the budget has room for
+
+    void SetUp() override { open(testContexts().front()); }
+
+    static int frames() {
+        const char* wanted = std::getenv("AOLIB_SOAK_FRAMES");
+        int count = 0;
+        if (wanted != nullptr) {
+            const std::string_view text(wanted);
+            std::from_chars(text.data(), text.data() + text.size(), count);
+        }
+        return count;
+    }
+
+    static Options options() {
+        Options o;
+        o.estimator = GetParam();
+        o.radius = 1.0F;
+        o.frameBudget = 20.0F;
+        o.horizonSplit = {.directions = 4, .steps = 4};
+        o.layeredIntervals = {.slices = 2, .steps = 4, .layers = 2};
+        o.rayTraced = {.rays = 16};
+        o.cubeMaps.faceSize = kFaceSize;
+        o.cubeMaps.memoryBudget = static_cast<float>(
+            (kCubeMaps + 0.01) * kFaces * static_cast<double>(FaceStore::bytesPerLayer(kFaceSize)) /
+            (1 << 20));
+        return o;
+    }
+
+    /// Walks on, and looks about.
+    static void step(SmallHost& host, int frame) {
+        const float turn = 2.0F * static_cast<float>(frame % kFramesPerLap) / kFramesPerLap;
+        const glm::vec3 eye = walkedTo((turn < 1.0F ? turn : 2.0F - turn) * (kRooms - 1));
+        const float angle = 1.3F * std::sin(0.11F * static_cast<float>(frame));
+        const float ahead = turn < 1.0F ? 1.0F : -1.0F;
+        host.lookAt(eye, eye + glm::vec3(ahead * std::cos(angle), -0.1F, std::sin(angle)));
+    }
+
+    /// Memory of the process, bytes.
+    static std::size_t resident() {
+        std::ifstream file("/proc/self/statm");
+        std::size_t pages = 0;
+        file >> pages >> pages;
+        return pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+    }
+
+    struct Most {
+        std::size_t kept = 0;    ///< bytes that cube maps keep
+        std::size_t bytes = 0;   ///< of the context, less what is on its way
+        std::size_t objects = 0; ///< of GL
+        std::size_t resident = 0;
+    };
+};
+
+TEST_P(SoakGLTest, MemoryAndObjectsStayFlat) {
+    const int asked = frames();
+    if (asked == 0 && GetParam() != Estimator::HorizonSplit) {
+        GTEST_SKIP() << "a long walk: set AOLIB_SOAK_FRAMES";
+    }
+    const int count = std::max(asked, kUsualFrames);
+    SmallHost host(gl, loader, rooms(kRooms), options(), 160, 90);
+    host.ao().setTexelTracer(std::move(*createTexelTracer(1)));
+    const GlObjects objects(gl, loader);
+    const std::size_t budget =
+        static_cast<std::size_t>(kCubeMaps * kFaces) * FaceStore::bytesPerLayer(kFaceSize);
+    std::array<Most, 2> most; // of the first half, of the second
+    for (int frame = 0; frame < count; ++frame) {
+        step(host, frame);
+        ASSERT_TRUE(host.frame().ok()) << host.ao().lastStatus().message();
+        const Statistics s = host.ao().statistics();
+        ASSERT_LE(s.bytesKept, budget) << "frame " << frame;
+        Most& half = most.at(frame < count / 2 ? 0 : 1);
+        half.kept = std::max(half.kept, s.bytesKept);
+        half.bytes = std::max(half.bytes, objects.bytes() - s.bytesBuilding);
+        half.objects = std::max(half.objects, objects.count());
+        half.resident = std::max(half.resident, resident());
+        (void)takeDriverMessages(); // about textures asked for as those of another kind
+    }
+    const Statistics s = host.ao().statistics();
+    EXPECT_GE(s.cubeMapsEvicted, static_cast<std::uint64_t>(count / kFramesPerLap))
+        << "the walk must need more than there is room for";
+    EXPECT_LE(most[1].bytes, most[0].bytes);
+    EXPECT_LE(most[1].kept, most[0].kept);
+    constexpr std::size_t kOnItsWay = 8; // fences, targets of a capture: the walk is not the same
+    EXPECT_LE(most[1].objects, most[0].objects + kOnItsWay);
+    constexpr std::size_t kFragments = std::size_t{4} << 20;
+    EXPECT_LE(most[1].resident, most[0].resident + kFragments);
+    for (const char* name : {"first", "second"}) {
+        const Most& half = most.at(std::string_view(name) == "first" ? 0 : 1);
+        const std::string which = std::string(name) + " half, ";
+        RecordProperty(which + "bytes kept", std::to_string(half.kept));
+        RecordProperty(which + "bytes in GL", std::to_string(half.bytes));
+        RecordProperty(which + "objects in GL", std::to_string(half.objects));
+        RecordProperty(which + "resident bytes", std::to_string(half.resident));
+    }
+    RecordProperty("evicted", std::to_string(s.cubeMapsEvicted));
+}
+
+std::string nameOfEstimator(const testing::TestParamInfo<Estimator>& info) {
+    constexpr std::array kNames{"HorizonSplit", "LayeredIntervals", "RayTraced"};
+    return kNames.at(static_cast<std::size_t>(info.param));
+}
+
+INSTANTIATE_TEST_SUITE_P(Estimators, SoakGLTest,
+                         testing::Values(Estimator::HorizonSplit, Estimator::LayeredIntervals,
+                                         Estimator::RayTraced),
+                         nameOfEstimator);
+
+} // namespace
+} // namespace aolib

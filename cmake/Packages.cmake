@@ -40,6 +40,13 @@ if(TARGET aolib_tool)
     endif()
 endif()
 
+# Under what licence each comes, where Debian looks for it.
+foreach(component IN LISTS CPACK_COMPONENTS_ALL)
+    string(TOUPPER ${component} upper)
+    install(FILES ${PROJECT_SOURCE_DIR}/LICENSE RENAME copyright COMPONENT ${component}
+        DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/${CPACK_DEBIAN_${upper}_PACKAGE_NAME})
+endforeach()
+
 # Which packages hold the libraries that a binary names, where Debian's own tool can tell.
 find_program(AOLIB_DPKG_SHLIBDEPS dpkg-shlibdeps DOC "Finds the packages of shared libraries")
 mark_as_advanced(AOLIB_DPKG_SHLIBDEPS)

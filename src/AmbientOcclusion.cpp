@@ -1,14 +1,9 @@
 #include <aolib/AmbientOcclusion.h>
 
-#include <array>
-#include <optional>
-#include <string>
 #include <utility>
 
-#include <glm/geometric.hpp>
-#include <glm/gtc/type_ptr.hpp>
-
 #include "CheckOptions.h"
+#include "HostView.h"
 #include "backbone/MakeBackbone.h"
 #include "gl/StateGuard.h"
 #include "scene/SceneBuilder.h"
@@ -16,25 +11,6 @@
 namespace aolib {
 
 namespace {
-
-// Compatibility-profile names, which the core header does not declare.
-constexpr GLenum kModelViewMatrix = 0x0BA6;
-constexpr GLenum kProjectionMatrix = 0x0BA7;
-/// How far, relative to its distance from the origin, a camera read from GL may be from the
-/// position that aoDrawEnd() is given.
-constexpr double kSamePosition = 1e-3;
-
-struct Matrices {
-    glm::mat4 view;
-    glm::mat4 projection;
-};
-
-Matrices readMatrices(const gl::Functions& gl) {
-    Matrices read{};
-    gl.GetFloatv(kModelViewMatrix, glm::value_ptr(read.view));
-    gl.GetFloatv(kProjectionMatrix, glm::value_ptr(read.projection));
-    return read;
-}
 
 /// Set while it lives.
 class Flag {
@@ -56,11 +32,6 @@ Status checkBox(const Bounds& box) {
     return {};
 }
 
-bool standsAt(const HostCamera& camera, const glm::vec3& position) {
-    const double scale = 1.0 + glm::length(glm::dvec3(position));
-    return glm::distance(camera.eye(), glm::dvec3(position)) <= kSamePosition * scale;
-}
-
 } // namespace
 
 struct AmbientOcclusion::Impl {
@@ -73,8 +44,7 @@ struct AmbientOcclusion::Impl {
     SceneRenderer renderer; ///< calls the host's, and has other calls refused meanwhile
     bool rendering = false; ///< the host's renderer runs
     std::unique_ptr<AbstractBackbone> backbone;
-    std::optional<HostCamera> camera; ///< as aoSetCamera() gave it
-    std::optional<Matrices> atBegin;  ///< GL's matrices at aoDrawBegin()
+    HostView view;
     bool drawing = false;
     Status lastStatus;
     MessageSink sink;
@@ -113,9 +83,6 @@ struct AmbientOcclusion::Impl {
         return call(*backbone);
     }
 
-    Result<HostCamera> cameraAt(const glm::vec3& position) const;
-    /// A frame seen from `position`, but for what it is drawn to.
-    Result<Frame> frameAt(const glm::vec3& position) const;
     Status drawEnd(const glm::vec3& position);
 };
 
@@ -306,11 +273,7 @@ std::vector<CubeMapInfo> AmbientOcclusion::cubeMaps() const {
 // ---- Frame --------------------------------------------------------------------------------------
 
 Status AmbientOcclusion::aoSetCamera(const glm::mat4& view, const glm::mat4& projection) {
-    Result<HostCamera> camera = HostCamera::create(view, projection);
-    if (camera) {
-        impl_->camera = *camera;
-    }
-    return impl_->report(camera.status());
+    return impl_->report(impl_->view.setCamera(view, projection));
 }
 
 Status AmbientOcclusion::aoDrawBegin() {
@@ -322,10 +285,7 @@ Status AmbientOcclusion::aoDrawBegin() {
                               "aoDrawBegin: a frame was begun already; end it with aoDrawEnd"});
     }
     impl_->drawing = true;
-    impl_->atBegin.reset();
-    if (!impl_->camera && impl_->gl.capabilities.compatibility) {
-        impl_->atBegin = readMatrices(impl_->gl);
-    }
+    impl_->view.begin(impl_->gl);
     return {};
 }
 
@@ -341,73 +301,15 @@ Status AmbientOcclusion::aoDrawEnd(float x, float y, float z) {
     return impl_->report(impl_->drawEnd({x, y, z}));
 }
 
-Result<HostCamera> AmbientOcclusion::Impl::cameraAt(const glm::vec3& position) const {
-    if (camera) {
-        return *camera;
-    }
-    if (!gl.capabilities.compatibility) {
-        return Status(StatusCode::NoCamera,
-                      "a core profile has no matrices to read: call aoSetCamera first");
-    }
-    // Whichever of the two moments had the camera, and no model transform, on the stack.
-    const Matrices now = readMatrices(gl);
-    const Result<HostCamera> atEnd = HostCamera::create(now.view, now.projection);
-    if (atEnd && standsAt(*atEnd, position)) {
-        return atEnd;
-    }
-    if (atBegin) {
-        const Result<HostCamera> begun = HostCamera::create(atBegin->view, atBegin->projection);
-        if (begun && standsAt(*begun, position)) {
-            return begun;
-        }
-    }
-    return Status(StatusCode::InvalidCamera,
-                  "GL's modelview matrix belonged to the position given to aoDrawEnd neither at "
-                  "aoDrawBegin nor now; leave the camera alone on the stack at one of them, or "
-                  "call aoSetCamera");
-}
-
-Result<Frame> AmbientOcclusion::Impl::frameAt(const glm::vec3& position) const {
-    if (!isFinite(position)) {
-        return Status(StatusCode::InvalidCamera, "the camera's position must be finite");
-    }
-    const Result<HostCamera> found = cameraAt(position);
-    if (!found) {
-        return found.status();
-    }
-    ClipConvention clip;
-    if (gl.capabilities.clipControl) {
-        GLint value = 0;
-        gl.GetIntegerv(GL_CLIP_DEPTH_MODE, &value);
-        clip.zeroToOne = value == GL_ZERO_TO_ONE;
-        gl.GetIntegerv(GL_CLIP_ORIGIN, &value);
-        clip.upperLeft = value == GL_UPPER_LEFT;
-    }
-    gl.GetDoublev(GL_DEPTH_RANGE, clip.depthRange.data());
-    if (clip.depthRange[0] == clip.depthRange[1]) {
-        return Status(StatusCode::InvalidFramebuffer,
-                      "glDepthRange is empty: depth holds no distances");
-    }
-    return Frame{.camera = *found, .position = position, .clip = clip};
-}
-
 Status AmbientOcclusion::Impl::drawEnd(const glm::vec3& position) {
-    Result<Frame> frame = frameAt(position);
+    Result<Frame> frame = view.frameFrom(gl, position);
     if (!frame) {
         return frame.status();
     }
     const gl::StateGuard guard(gl);
-    const std::array<GLint, 4>& viewport = guard.hostViewport();
-    if (viewport[2] < 1 || viewport[3] < 1) {
-        return {StatusCode::InvalidFramebuffer, "the viewport is " + std::to_string(viewport[2]) +
-                                                    " x " + std::to_string(viewport[3]) +
-                                                    " pixels"};
+    if (Status status = HostView::takeTarget(guard, *frame); !status) {
+        return status;
     }
-    frame->framebuffer = frame->depthFramebuffer = guard.hostDrawFramebuffer();
-    frame->origin = {viewport[0], viewport[1]};
-    frame->size = {viewport[2], viewport[3]};
-    frame->srgb = guard.hostSrgb();
-    frame->scissor = guard.hostScissor();
     return backbone->drawEnd(*frame);
 }
 
@@ -416,7 +318,7 @@ Result<TextureName> AmbientOcclusion::aoApply(const HostTextures& textures,
     if (Status status = impl_->allowed(); !status) {
         return impl_->report(std::move(status));
     }
-    Result<Frame> frame = impl_->frameAt(position);
+    Result<Frame> frame = impl_->view.frameFrom(impl_->gl, position);
     if (!frame) {
         return impl_->report(frame.status());
     }

@@ -1,0 +1,116 @@
+#include "HostView.h"
+
+#include <array>
+#include <string>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
+
+#include "scene/Finite.h"
+
+namespace aolib {
+
+namespace {
+
+// Compatibility-profile names, which the core header does not declare.
+constexpr GLenum kModelViewMatrix = 0x0BA6;
+constexpr GLenum kProjectionMatrix = 0x0BA7;
+/// How far, relative to its distance from the origin, a camera read from GL may be from the
+/// position that aoDrawEnd() is given.
+constexpr double kSamePosition = 1e-3;
+
+bool standsAt(const HostCamera& camera, const glm::vec3& position) {
+    const double scale = 1.0 + glm::length(glm::dvec3(position));
+    return glm::distance(camera.eye(), glm::dvec3(position)) <= kSamePosition * scale;
+}
+
+} // namespace
+
+HostView::Matrices HostView::readMatrices(const gl::Functions& gl) {
+    Matrices read{};
+    gl.GetFloatv(kModelViewMatrix, glm::value_ptr(read.view));
+    gl.GetFloatv(kProjectionMatrix, glm::value_ptr(read.projection));
+    return read;
+}
+
+Status HostView::setCamera(const glm::mat4& view, const glm::mat4& projection) {
+    const Result<HostCamera> camera = HostCamera::create(view, projection);
+    if (camera) {
+        camera_ = *camera;
+    }
+    return camera.status();
+}
+
+void HostView::begin(const gl::Functions& gl) {
+    atBegin_.reset();
+    if (!camera_ && gl.capabilities.compatibility) {
+        atBegin_ = readMatrices(gl);
+    }
+}
+
+Result<HostCamera> HostView::cameraAt(const gl::Functions& gl, const glm::vec3& position) const {
+    if (camera_) {
+        return *camera_;
+    }
+    if (!gl.capabilities.compatibility) {
+        return Status(StatusCode::NoCamera,
+                      "a core profile has no matrices to read: call aoSetCamera first");
+    }
+    // Whichever of the two moments had the camera, and no model transform, on the stack.
+    const Matrices now = readMatrices(gl);
+    const Result<HostCamera> atEnd = HostCamera::create(now.view, now.projection);
+    if (atEnd && standsAt(*atEnd, position)) {
+        return atEnd;
+    }
+    if (atBegin_) {
+        const Result<HostCamera> begun = HostCamera::create(atBegin_->view, atBegin_->projection);
+        if (begun && standsAt(*begun, position)) {
+            return begun;
+        }
+    }
+    return Status(StatusCode::InvalidCamera,
+                  "GL's modelview matrix belonged to the position given to aoDrawEnd neither at "
+                  "aoDrawBegin nor now; leave the camera alone on the stack at one of them, or "
+                  "call aoSetCamera");
+}
+
+Result<Frame> HostView::frameFrom(const gl::Functions& gl, const glm::vec3& position) const {
+    if (!isFinite(position)) {
+        return Status(StatusCode::InvalidCamera, "the camera's position must be finite");
+    }
+    const Result<HostCamera> found = cameraAt(gl, position);
+    if (!found) {
+        return found.status();
+    }
+    ClipConvention clip;
+    if (gl.capabilities.clipControl) {
+        GLint value = 0;
+        gl.GetIntegerv(GL_CLIP_DEPTH_MODE, &value);
+        clip.zeroToOne = value == GL_ZERO_TO_ONE;
+        gl.GetIntegerv(GL_CLIP_ORIGIN, &value);
+        clip.upperLeft = value == GL_UPPER_LEFT;
+    }
+    gl.GetDoublev(GL_DEPTH_RANGE, clip.depthRange.data());
+    if (clip.depthRange[0] == clip.depthRange[1]) {
+        return Status(StatusCode::InvalidFramebuffer,
+                      "glDepthRange is empty: depth holds no distances");
+    }
+    return Frame{.camera = *found, .position = position, .clip = clip};
+}
+
+Status HostView::takeTarget(const gl::StateGuard& guard, Frame& frame) {
+    const std::array<GLint, 4>& viewport = guard.hostViewport();
+    if (viewport[2] < 1 || viewport[3] < 1) {
+        return {StatusCode::InvalidFramebuffer, "the viewport is " + std::to_string(viewport[2]) +
+                                                    " x " + std::to_string(viewport[3]) +
+                                                    " pixels"};
+    }
+    frame.framebuffer = frame.depthFramebuffer = guard.hostDrawFramebuffer();
+    frame.origin = {viewport[0], viewport[1]};
+    frame.size = {viewport[2], viewport[3]};
+    frame.srgb = guard.hostSrgb();
+    frame.scissor = guard.hostScissor();
+    return {};
+}
+
+} // namespace aolib

@@ -63,84 +63,68 @@ Result<CubeMapId> BackboneCubemapped::addCubeMap(const glm::vec3& position) {
         return Status(StatusCode::NoScene,
                       "there are no triangles to place a cube map among; describe a mesh first");
     }
-    followStore();
+    cubeMaps_.followOptions();
     if (Status status = followScene(); !status) {
         return status;
     }
-    while (store_.spare() < kFaces) {
-        const auto* victim = Eviction::victim(projectors_, {}, Eviction::For::Newcomer);
-        if (victim == nullptr) {
-            return Status(
-                StatusCode::OutOfMemory,
-                "the " + std::to_string(projectors_.size()) +
-                    " cube maps placed by hand leave no room for another within "
-                    "Options::cubeMaps.memoryBudget or the texture layers of this context");
-        }
-        evict(*victim);
+    if (Status status = cubeMaps_.makeRoomAtOnce(); !status) {
+        return status;
     }
     return place(position, /*byHand=*/true);
 }
 
 Result<CubeMapId> BackboneCubemapped::place(const glm::vec3& position, bool byHand) {
-    auto projector = CubeMapProjector::create(context_.gl, CubeMapId{nextId_},
-                                              Placement::freePosition(context_.scene, position),
-                                              store_.faceSize());
-    if (!projector) {
-        return projector.status();
+    const auto placed = cubeMaps_.add(position, byHand);
+    if (!placed) {
+        return placed.status();
     }
-    store_.reserve();
-    projectors_.push_back(std::make_unique<CubeMapProjector>(std::move(*projector)));
-    CubeMapProjector& placed = *projectors_.back();
-    placed.use.byHand = byHand;
+    const CubeMapId id = (*placed)->id();
     if (schedule_.atOnce()) {
-        if (Status status = schedule_.compute({&placed}); !status) {
-            removeCubeMap(placed.id());
+        if (Status status = schedule_.compute({*placed}); !status) {
+            cubeMaps_.remove(**placed);
             return status;
         }
     }
     cubeMapsChanged();
-    return CubeMapId{nextId_++};
+    return id;
 }
 
 Status BackboneCubemapped::removeCubeMap(CubeMapId id) {
-    const auto found = find(id);
-    if (found == projectors_.end()) {
+    CubeMapProjector* projector = cubeMaps_.find(id);
+    if (projector == nullptr) {
         return unknown(id);
     }
-    schedule_.forget(id);
-    (*found)->dropDetails(store_, details_);
-    (*found)->dropFaces(store_);
-    store_.release();
-    std::erase(projected_, found->get());
-    projectors_.erase(found);
-    for (const auto& projector : projectors_) {
-        projector->tiles.allowDetail(); // there may be room for it now
-    }
-    cubeMapsChanged();
+    cubeMaps_.remove(*projector);
     return {};
 }
 
 Status BackboneCubemapped::clear() {
-    while (!projectors_.empty()) {
-        removeCubeMap(projectors_.back()->id());
+    while (!cubeMaps_.all().empty()) {
+        cubeMaps_.remove(*cubeMaps_.all().back());
     }
     return {};
 }
 
 std::vector<CubeMapInfo> BackboneCubemapped::cubeMaps() {
     std::vector<CubeMapInfo> infos;
-    for (const auto& projector : projectors_) {
-        infos.push_back(projector->info(store_));
+    for (const auto& projector : cubeMaps_.all()) {
+        infos.push_back(projector->info(cubeMaps_.store()));
     }
     return infos;
 }
 
 Result<CubeMapImage> BackboneCubemapped::readCubeMap(CubeMapId id) {
-    const auto found = find(id);
-    if (found == projectors_.end()) {
+    const CubeMapProjector* projector = cubeMaps_.find(id);
+    if (projector == nullptr) {
         return unknown(id);
     }
-    return (*found)->read(context_.gl, store_);
+    return projector->read(context_.gl, cubeMaps_.store());
+}
+
+void BackboneCubemapped::cubeMapGoes(CubeMapProjector& projector) {
+    schedule_.forget(projector.id());
+    std::erase(projected_, &projector);
+    cubeMapsChanged();
 }
 
 void BackboneCubemapped::dropTracer() {
@@ -149,11 +133,6 @@ void BackboneCubemapped::dropTracer() {
     if (context_.options.estimator == Estimator::RayTraced) {
         markAllDirty();
     }
-}
-
-std::vector<std::unique_ptr<CubeMapProjector>>::iterator BackboneCubemapped::find(CubeMapId id) {
-    return std::find_if(projectors_.begin(), projectors_.end(),
-                        [&](const auto& projector) { return projector->id() == id; });
 }
 
 // ---- Following the scene and the options --------------------------------------------------------
@@ -165,45 +144,20 @@ void BackboneCubemapped::cubeMapsChanged() {
 }
 
 void BackboneCubemapped::markAllDirty() {
-    for (const auto& projector : projectors_) {
+    for (const auto& projector : cubeMaps_.all()) {
         projector->dirty = true;
     }
 }
 
 void BackboneCubemapped::optionsChanged(const Options& before) {
     if (before.estimator != context_.options.estimator) {
-        for (const auto& projector : projectors_) {
+        for (const auto& projector : cubeMaps_.all()) {
             schedule_.forget(projector->id()); // what another source holds
         }
     }
     if (!sameEstimate(before, context_.options)) { // the radius is watched where it is used
         markAllDirty();
         repair_->restart();
-    }
-}
-
-void BackboneCubemapped::followStore() {
-    const CubeMapOptions& options = context_.options.cubeMaps;
-    const int limit = Eviction::layersWithin(options, context_.gl.capabilities.maxTextureLayers);
-    if (store_.faceSize() != options.faceSize || limit < store_.layers()) {
-        for (const auto& projector : projectors_) {
-            schedule_.forget(projector->id());
-            projector->dropDetails(store_, details_);
-            projector->dropFaces(store_);
-            projector->tiles = TileProgress(options.faceSize);
-            projector->dirty = true;
-            projector->shown = false;
-        }
-        store_.reset(options.faceSize);
-    }
-    if (limit > store_.limit()) {
-        for (const auto& projector : projectors_) {
-            projector->tiles.allowDetail();
-        }
-    }
-    store_.setLimit(limit);
-    while (store_.spare() < 0) {
-        evict(*Eviction::victim(projectors_, {}, Eviction::For::Budget));
     }
 }
 
@@ -230,13 +184,13 @@ Status BackboneCubemapped::followScene() {
     for (const Scene::Change& change : changes) {
         // Receivers up to a radius away from the change see a difference.
         const Bounds region = change.region.inflated(reach);
-        for (const auto& projector : projectors_) {
+        for (const auto& projector : cubeMaps_.all()) {
             // What it keeps does not tell what a capture on its way sees, nor may it begin again
             // with each step of something that moves out of sight. Other meshes, other numbers.
             const bool capturing = schedule_.capturing(projector->id());
             projector->outdated = projector->outdated || capturing;
             projector->dirty = projector->dirty || (capturing && change.geometry) ||
-                               sight_->sees(context_, *projector, store_, region);
+                               sight_->sees(context_, *projector, cubeMaps_.store(), region);
         }
     }
     return {};
@@ -250,7 +204,7 @@ Status BackboneCubemapped::placeWhereDue(const Frame& frame) {
         return {};
     }
     std::vector<glm::vec3> positions;
-    for (const auto& projector : projectors_) {
+    for (const auto& projector : cubeMaps_.all()) {
         positions.push_back(projector->position());
     }
     std::optional<float> coverage;
@@ -261,66 +215,10 @@ Status BackboneCubemapped::placeWhereDue(const Frame& frame) {
                         context_.scene.bounds().diagonal())) {
         return {};
     }
-    return makeRoom(Eviction::For::Newcomer, frame) ? place(frame.position, false).status()
-                                                    : Status();
-}
-
-bool BackboneCubemapped::makeRoom(Eviction::For reason, const Frame& frame) {
-    const std::vector<CubeMapProjector*> used = nearest(frame.position);
-    while (store_.spare() < (reason == Eviction::For::Newcomer ? kFaces : 1)) {
-        CubeMapProjector* victim = Eviction::victim(projectors_, used, reason);
-        if (victim == nullptr) {
-            return false;
-        }
-        const bool inView =
-            victim->shown && std::find(used.begin(), used.end(), victim) != used.end();
-        if (inView && !schedule_.atOnce()) {
-            victim->use.retiring = true;
-            return false;
-        }
-        evict(*victim);
-    }
-    return true;
-}
-
-void BackboneCubemapped::evictWhereDue(const Frame& frame) {
-    const std::vector<CubeMapProjector*> used = nearest(frame.position);
-    const auto gone = [&](const auto& projector) {
-        return projector->use.retiring &&
-               (projector->bias <= CubeMapProjector::kNewcomer || schedule_.atOnce() ||
-                std::find(used.begin(), used.end(), projector.get()) == used.end());
-    };
-    for (auto found = std::find_if(projectors_.begin(), projectors_.end(), gone);
-         found != projectors_.end();
-         found = std::find_if(projectors_.begin(), projectors_.end(), gone)) {
-        evict(**found);
-    }
-    const bool refused = std::any_of(projectors_.begin(), projectors_.end(), [](const auto& one) {
-        return one->use.surveysUnseen == 0 && one->tiles.refusedDetail();
-    });
-    if (refused && makeRoom(Eviction::For::Detail, frame)) {
-        for (const auto& projector : projectors_) {
-            projector->tiles.allowDetail();
-        }
-    }
-}
-
-void BackboneCubemapped::evict(const CubeMapProjector& projector) {
-    ++evicted_;
-    removeCubeMap(projector.id());
-}
-
-std::vector<CubeMapProjector*> BackboneCubemapped::nearest(const glm::vec3& camera) const {
-    std::vector<CubeMapProjector*> chosen;
-    for (const auto& projector : projectors_) {
-        chosen.push_back(projector.get());
-    }
-    std::stable_sort(chosen.begin(), chosen.end(), [&](const auto* a, const auto* b) {
-        return glm::distance(a->position(), camera) < glm::distance(b->position(), camera);
-    });
-    const auto limit = static_cast<std::size_t>(context_.options.cubeMaps.nearest);
-    chosen.resize(std::min(chosen.size(), limit));
-    return chosen;
+    return cubeMaps_.makeRoom(Eviction::For::Newcomer, cubeMaps_.nearest(frame.position),
+                              schedule_.atOnce())
+               ? place(frame.position, /*byHand=*/false).status()
+               : Status();
 }
 
 void BackboneCubemapped::heedSurvey(const std::vector<CubeMapProjector*>& projectors) {
@@ -330,7 +228,7 @@ void BackboneCubemapped::heedSurvey(const std::vector<CubeMapProjector*>& projec
     }
     latestSurvey_ = answer;
     shownSurvey_ = *answer;
-    Eviction::follow(projectors_, answer->best);
+    Eviction::follow(cubeMaps_.all(), answer->best);
     for (CubeMapProjector* projector : projectors) {
         const glm::vec3 toEye(answer->eye - glm::dvec3(projector->position()));
         const auto size = static_cast<float>(projector->tiles.faceSize());
@@ -350,19 +248,19 @@ void BackboneCubemapped::heedSurvey(const std::vector<CubeMapProjector*>& projec
 Status BackboneCubemapped::prepare(const Frame& frame) {
     schedule_.beginFrame();
     projected_.clear();
-    followStore();
+    cubeMaps_.followOptions();
     if (Status status = followScene(); !status) {
         return status;
     }
-    heedSurvey(nearest(frame.position));
-    evictWhereDue(frame);
+    heedSurvey(cubeMaps_.nearest(frame.position));
+    cubeMaps_.evictWhereDue(cubeMaps_.nearest(frame.position), schedule_.atOnce());
     if (Status status = placeWhereDue(frame); !status) {
         return status;
     }
     if (context_.scene.empty()) {
         return {};
     }
-    const std::vector<CubeMapProjector*> used = nearest(frame.position);
+    const std::vector<CubeMapProjector*> used = cubeMaps_.nearest(frame.position);
     if (Status status = schedule_.compute(used); !status) {
         return status;
     }
@@ -393,15 +291,15 @@ Status BackboneCubemapped::repair(const Frame& frame) {
     Status status;
     if (texelsComplete_ && repair_->rests() && !repair_->done()) {
         const double budget = schedule_.atOnce() ? HUGE_VAL : double{context_.options.frameBudget};
-        status = repair_->advance(context_, frame, host_, {store_, details_}, projected_, *tracer,
-                                  radius(), budget);
+        status = repair_->advance(context_, frame, host_, {cubeMaps_.store(), cubeMaps_.details()},
+                                  projected_, *tracer, radius(), budget);
     }
     converged_ = texelsComplete_ && repair_->done();
     return status;
 }
 
 KeptTexels BackboneCubemapped::kept() const {
-    return {store_, details_, repair_->repaired()};
+    return {cubeMaps_.store(), cubeMaps_.details(), repair_->repaired()};
 }
 
 bool BackboneCubemapped::shadesDirectly() const {
@@ -424,9 +322,10 @@ Result<const gl::RenderToTexture2D*> BackboneCubemapped::computeVisibility(const
 }
 
 Status BackboneCubemapped::finishFrame(const Frame& frame) {
-    survey_->take(context_, frame, host_, {store_, details_}, projected_, ++framesSurveyed_);
+    survey_->take(context_, frame, host_, {cubeMaps_.store(), cubeMaps_.details()}, projected_,
+                  ++framesSurveyed_);
     if (context_.options.cubeMaps.outlines) {
-        outlines_->draw(context_, frame, nearest(frame.position));
+        outlines_->draw(context_, frame, cubeMaps_.nearest(frame.position));
     }
     return {};
 }
@@ -436,7 +335,7 @@ void BackboneCubemapped::addStatistics(Statistics& statistics) {
     statistics.coverageFrame = shownSurvey_.frame;
     statistics.cubeMapsProjected = static_cast<int>(projected_.size());
     statistics.cubeMapsBuilt = schedule_.begun();
-    statistics.cubeMapsEvicted = evicted_;
+    statistics.cubeMapsEvicted = cubeMaps_.evicted();
     statistics.converged = converged_;
     statistics.pixelsTraced = repair_->pixels();
     TileProgress::Share sum;
@@ -450,7 +349,7 @@ void BackboneCubemapped::addStatistics(Statistics& statistics) {
                               : statistics.computed;
     statistics.bytesFrame += projection_->bytes() + repair_->bytes();
     statistics.bytesScene = sceneGeometry_.bytes();
-    statistics.bytesKept = store_.bytes();
+    statistics.bytesKept = cubeMaps_.store().bytes();
     statistics.bytesBuilding = schedule_.bytes();
 }
 

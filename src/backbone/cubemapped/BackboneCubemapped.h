@@ -8,7 +8,7 @@
 #include "backbone/SceneGeometry.h"
 #include "backbone/cubemapped/BuildSchedule.h"
 #include "backbone/cubemapped/CubeMapOutlines.h"
-#include "backbone/cubemapped/Eviction.h"
+#include "backbone/cubemapped/CubeMaps.h"
 #include "backbone/cubemapped/Projection.h"
 #include "backbone/cubemapped/SightTest.h"
 #include "backbone/cubemapped/Survey.h"
@@ -36,8 +36,10 @@ public:
 
 private:
     explicit BackboneCubemapped(const BackboneContext& context)
-        : AbstractBackbone(context), store_(context.gl), details_(store_),
-          schedule_(context, sceneGeometry_, store_, details_, [this] { return radius(); }) {}
+        : AbstractBackbone(context),
+          cubeMaps_(context, [this](CubeMapProjector& one) { cubeMapGoes(one); }),
+          schedule_(context, sceneGeometry_, cubeMaps_.store(), cubeMaps_.details(),
+                    [this] { return radius(); }) {}
 
     Status prepare(const Frame& frame) override;
     bool shadesDirectly() const override;
@@ -49,32 +51,22 @@ private:
 
     /// Follows the scene: uploads, and marks the cube maps that see a change.
     Status followScene();
-    /// Follows the options' face size and memory budget.
-    void followStore();
     void markAllDirty();
     void cubeMapsChanged();
-    /// Places a cube map, for which room is made first.
+    /// One is about to go.
+    void cubeMapGoes(CubeMapProjector& projector);
+    /// Places a cube map; there is room for it.
     Result<CubeMapId> place(const glm::vec3& position, bool byHand);
     /// Places a cube map at the camera if one is due.
     Status placeWhereDue(const Frame& frame);
-    /// Makes room for one thing more, within some frames: what is in view fades out before it goes.
-    /// @return whether there is room now.
-    bool makeRoom(Eviction::For reason, const Frame& frame);
-    /// Has those go that have faded out, and makes room for detail that is in view.
-    void evictWhereDue(const Frame& frame);
-    void evict(const CubeMapProjector& projector);
     /// Takes the survey's answers: coverage, and what cube maps are asked for.
     void heedSurvey(const std::vector<CubeMapProjector*>& projectors);
     /// Traces the pixels of a view at rest that complete cube maps do not tell.
     Status repair(const Frame& frame);
     KeptTexels kept() const;
-    /// The cube maps to work on in a frame, nearest first.
-    std::vector<CubeMapProjector*> nearest(const glm::vec3& camera) const;
-    std::vector<std::unique_ptr<CubeMapProjector>>::iterator find(CubeMapId id);
 
     SceneGeometry sceneGeometry_;
-    FaceStore store_;
-    DetailStore details_;
+    CubeMaps cubeMaps_;
     BuildSchedule schedule_;
     std::optional<ViewRepair> repair_;
     std::optional<Projection> projection_;
@@ -82,9 +74,6 @@ private:
     std::optional<SightTest> sight_;
     std::optional<CubeMapOutlines> outlines_;
 
-    std::vector<std::unique_ptr<CubeMapProjector>> projectors_;
-    std::uint32_t nextId_ = 1;
-    std::uint64_t evicted_ = 0;
     float builtRadius_ = 0.0F; ///< that the cube maps which are not dirty were built with
 
     std::optional<Survey::Answer> latestSurvey_; ///< of the cube maps as they are

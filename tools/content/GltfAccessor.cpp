@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 #include <type_traits>
+#include <utility>
 
 namespace aolib {
 namespace {
@@ -160,8 +161,9 @@ AccessorReader::sparseIndices(const tinygltf::Accessor& accessor) const {
     if (!isIndexType(type)) {
         return failure("has sparse indices of an unknown type");
     }
-    if (accessor.sparse.count < 0 || accessor.sparse.indices.byteOffset < 0 ||
-        accessor.sparse.values.byteOffset < 0) {
+    // Later versions of tinygltf have unsigned offsets.
+    if (accessor.sparse.count < 0 || std::cmp_less(accessor.sparse.indices.byteOffset, 0) ||
+        std::cmp_less(accessor.sparse.values.byteOffset, 0)) {
         return failure("has a negative sparse count or offset");
     }
     const auto count = static_cast<std::size_t>(accessor.sparse.count);

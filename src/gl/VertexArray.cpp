@@ -60,9 +60,9 @@ void VertexArray::drawTriangles() const {
     gl_->DrawElements(GL_TRIANGLES, indexCount_, GL_UNSIGNED_INT, nullptr);
 }
 
-void VertexArray::drawGenerated(GLenum mode, int count) const {
+void VertexArray::drawGenerated(GLenum mode, int count, int first) const {
     gl_->BindVertexArray(name_.name());
-    gl_->DrawArrays(mode, 0, count);
+    gl_->DrawArrays(mode, first, count);
 }
 
 } // namespace aolib::gl

@@ -30,8 +30,8 @@ public:
 
     /// Draws the indexed triangles.
     void drawTriangles() const;
-    /// Draws `count` vertices without attributes as `mode`.
-    void drawGenerated(GLenum mode, int count) const;
+    /// Draws `count` vertices without attributes as `mode`, numbered from `first` on.
+    void drawGenerated(GLenum mode, int count, int first = 0) const;
     /// Covers the viewport with one triangle (fullscreen.vert).
     void drawFullscreen() const { drawGenerated(GL_TRIANGLES, 3); }
 

@@ -6,11 +6,12 @@ uniform float uSampleArea; // square texels per pixel
 
 in vec2 vTexel;
 in vec3 vPosition;
+flat in float vFacet;
 
 layout(location = 0) out vec4 oPoint;
 layout(location = 1) out vec2 oSize;
 
 void main() {
-    oPoint = vec4(vTexel, 1.0, uSampleArea);
+    oPoint = vec4(vTexel, vFacet, uSampleArea);
     oSize = footprint(dFdx(vPosition), dFdy(vPosition), dFdx(vTexel), dFdy(vTexel));
 }

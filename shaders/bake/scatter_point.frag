@@ -1,11 +1,13 @@
 #version 330 core
-// A texel gets the share of the point that lies in it.
+// A texel gets the share of the point that lies in it, if it shows the same facet: not what happens to
+// lie beside it in the map.
 uniform vec3 uDirection;  // towards the light
 uniform float uPointSize; // texels
-uniform float uMapHeight; // texels, of each of the stacked maps
+uniform sampler2DArray uFacets; // of each texel of the target
 
 flat in vec2 vPlace;
 flat in float vWeight;
+flat in float vFacet;
 flat in vec2 vSides;
 
 layout(location = 0) out vec4 oSum; // weighed direction, weight
@@ -18,8 +20,8 @@ void main() {
         vec2 sides = max(high - low, 0.0);
         share = sides.x * sides.y / (vSides.x * vSides.y);
     }
-    // A point does not reach into the map beside its own in the stack.
-    if (share == 0.0 || floor(gl_FragCoord.y / uMapHeight) != floor(vPlace.y / uMapHeight)) {
+    float facet = texelFetch(uFacets, ivec3(gl_FragCoord.xy, 0), 0).r;
+    if (share == 0.0 || facet != vFacet) {
         discard;
     }
     oSum = vec4(uDirection, 1.0) * (share * vWeight);

@@ -1,17 +1,14 @@
 #version 330 core
 // Stage 2: each pixel of stage 1 is a point, read where its number says.
-uniform sampler2D uSurface; // place in the target, texels; 1 or 0; weight
+uniform sampler2D uSurface; // place in the target, texels; facet, 0 for none; weight
 uniform sampler2D uSize;    // least sides of the point, texels
 uniform vec2 uTargetSize;   // texels
 uniform float uPointSize;   // texels; 0: the nearest texel gets all
 
 flat out vec2 vPlace;
 flat out float vWeight;
+flat out float vFacet;
 flat out vec2 vSides;
-
-// A square this much larger than the point covers the centres of all texels that the point touches,
-// however the driver rounds sizes.
-const float kMargin = 1.5;
 
 void main() {
     int width = textureSize(uSurface, 0).x;
@@ -20,9 +17,16 @@ void main() {
     vSides = max(vec2(uPointSize), texelFetch(uSize, pixel, 0).xy);
     vPlace = point.xy;
     vWeight = point.w;
+    vFacet = point.z;
     bool nothing = point.z * point.w <= 0.0;
-    gl_PointSize = uPointSize > 0.0 ? max(vSides.x, vSides.y) + kMargin : 1.0;
+    // The smallest square of whole texels that holds the point; its middle stays in the target, where
+    // points are not cut off.
+    vec2 low = max(floor(vPlace - 0.5 * vSides), 0.0);
+    vec2 high = min(ceil(vPlace + 0.5 * vSides), uTargetSize);
+    float side = uPointSize > 0.0 ? max(high.x - low.x, high.y - low.y) : 1.0;
+    vec2 middle = uPointSize > 0.0 ? min(low + 0.5 * side, uTargetSize) : vPlace;
+    gl_PointSize = side;
     // What is outside is not drawn.
     gl_Position = nothing ? vec4(2.0, 2.0, 2.0, 1.0)
-                          : vec4(point.xy / uTargetSize * 2.0 - 1.0, 0.0, 1.0);
+                          : vec4(middle / uTargetSize * 2.0 - 1.0, 0.0, 1.0);
 }

@@ -10,9 +10,10 @@ uniform float uDensity;    // square texels per square frame unit, or 0: the Jac
 
 in vec3 vPosition;
 in vec3 vNormal;
-in vec3 vPlace;
+in vec2 vUv;
+flat in vec2 vOwner; // map, facet
 
-layout(location = 0) out vec4 oPoint; // place in the stack of maps, texels; 1; weight
+layout(location = 0) out vec4 oPoint; // place in the stack of maps, texels; facet, 0 for none; weight
 layout(location = 1) out vec2 oSize;  // of the pixel in the map, texels
 
 // At a grazing angle a shading normal and the plane part: a pixel counts at most so much more than one
@@ -20,8 +21,8 @@ layout(location = 1) out vec2 oSize;  // of the pixel in the map, texels
 const float kMostGrazing = 20.0;
 
 void main() {
-    int map = int(round(vPlace.z));
-    if (vPlace.z < -0.5 || map < uFirstMap || map >= uFirstMap + uMapCount) {
+    int map = int(round(vOwner.x));
+    if (vOwner.x < -0.5 || map < uFirstMap || map >= uFirstMap + uMapCount) {
         oPoint = vec4(0.0);
         oSize = vec2(0.0);
         return;
@@ -33,7 +34,7 @@ void main() {
     vec3 plane = area > 0.0 ? areaVector / area : uDirection;
     plane = gl_FrontFacing ? plane : -plane;
     float cosine = litCosine(vPosition, vNormal, plane);
-    vec2 texel = vPlace.xy * uMapSize;
+    vec2 texel = vUv * uMapSize;
     vec2 dx = dFdx(texel);
     vec2 dy = dFdy(texel);
     float jacobian = abs(dx.x * dy.y - dx.y * dy.x);
@@ -42,6 +43,6 @@ void main() {
     }
     float grazing = abs(dot(plane, uDirection));
     float weight = jacobian * min(cosine, kMostGrazing * grazing);
-    oPoint = vec4(texel + vec2(0.0, float(map - uFirstMap) * uMapSize.y), 1.0, weight);
+    oPoint = vec4(texel + vec2(0.0, float(map - uFirstMap) * uMapSize.y), vOwner.y, weight);
     oSize = footprint(across, up, dx, dy);
 }

@@ -8,6 +8,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "bake/Facets.h"
 #include "bake/TexelRaster.h"
 #include "gl/Label.h"
 #include "scene/Finite.h"
@@ -19,17 +20,21 @@ namespace {
 struct Vertex {
     glm::vec3 position;
     glm::vec3 normal;
-    glm::vec3 place;
+    glm::vec4 place;
 };
 
 class Filler {
 public:
-    Filler(const BakeFrame& frame, const glm::dvec2& mapSize) : frame_(frame), size_(mapSize) {}
+    Filler(const BakeFrame& frame, const glm::dvec2& mapSize, const Facets* facets)
+        : frame_(frame), size_(mapSize), facets_(facets) {}
 
-    void add(const Surface& surface) {
+    void add(const Surface& surface, std::size_t number) {
         const auto base = static_cast<std::uint32_t>(vertices.size());
         for (std::size_t i = 0; i < surface.positions.size(); ++i) {
             vertices.push_back(vertex(surface, i));
+            if (facets_ != nullptr) {
+                vertices.back().place.w = facets_->ofVertex(number, i);
+            }
         }
         const auto triangles = static_cast<std::uint32_t>(surface.indices.size() / 3);
         for (std::uint32_t t = 0; t < triangles; ++t) {
@@ -42,7 +47,7 @@ public:
                 }
                 indices.push_back(static_cast<std::uint32_t>(vertices.size()));
                 vertices.push_back(vertices[base + index[k]]);
-                vertices.back().place = glm::vec3(0.0F, 0.0F, -1.0F);
+                vertices.back().place = glm::vec4(0.0F, 0.0F, -1.0F, 0.0F);
             }
         }
     }
@@ -53,7 +58,7 @@ public:
 private:
     Vertex vertex(const Surface& surface, std::size_t i) const {
         Vertex result{frame_.toFrame(glm::dvec3(surface.positions[i])), glm::vec3(0.0F),
-                      glm::vec3(0.0F, 0.0F, static_cast<float>(surface.map))};
+                      glm::vec4(0.0F, 0.0F, static_cast<float>(surface.map), 0.0F)};
         if (!surface.normals.empty() && isFinite(surface.normals[i])) {
             result.normal = surface.normals[i];
         }
@@ -68,15 +73,18 @@ private:
 
     const BakeFrame& frame_;
     glm::dvec2 size_;
+    const Facets* facets_;
 };
 
 } // namespace
 
 Result<BakeVertices> BakeVertices::create(const gl::Functions& gl, const BakeGeometry& geometry,
-                                          const BakeFrame& frame, int width, int height) {
-    Filler filler(frame, {width, height});
-    for (const Surface& surface : geometry.scene().surfaces) {
-        filler.add(surface);
+                                          const BakeFrame& frame, int width, int height,
+                                          const Facets* facets) {
+    Filler filler(frame, {width, height}, facets);
+    const std::vector<Surface>& surfaces = geometry.scene().surfaces;
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+        filler.add(surfaces[i], i);
     }
     if (filler.indices.size() > std::size_t{std::numeric_limits<GLsizei>::max()}) {
         return Status(StatusCode::OutOfMemory, std::to_string(filler.indices.size() / 3) +
@@ -100,7 +108,7 @@ Result<BakeVertices> BakeVertices::create(const gl::Functions& gl, const BakeGeo
                                                  offsetof(Vertex, normal), offsetof(Vertex, place)};
     for (GLuint location = 0; location < offsets.size(); ++location) {
         gl.EnableVertexAttribArray(location);
-        gl.VertexAttribPointer(location, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex),
+        gl.VertexAttribPointer(location, location == 2 ? 4 : 3, GL_FLOAT, GL_FALSE, sizeof(Vertex),
                                reinterpret_cast<const void*>(offsets[location]));
     }
     auto indices = gl::Buffer::create(gl, GL_ELEMENT_ARRAY_BUFFER,

@@ -8,15 +8,20 @@
 
 namespace aolib::bake {
 
+class Facets;
+
 /// A scene's triangles in GPU memory: positions in the frame (location 0), shading normals, zero
-/// where there are none (1), and u, v and the number of the map (2), -1 for what only occludes.
+/// where there are none (1), and u, v, the number of the map, -1 for what only occludes, and of the
+/// facet (2).
 class BakeVertices {
 public:
     BakeVertices() = default;
     /// @param width,height  of the maps: decide which triangles are too thin in them.
+    /// @param facets  null where nobody asks for their numbers, which then are 0.
     /// Errors: OutOfMemory.
     static Result<BakeVertices> create(const gl::Functions& gl, const BakeGeometry& geometry,
-                                       const BakeFrame& frame, int width, int height);
+                                       const BakeFrame& frame, int width, int height,
+                                       const Facets* facets);
 
     void draw() const;
 

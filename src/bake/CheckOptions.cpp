@@ -59,6 +59,7 @@ Status check(const MapOptions& options) {
         .within("width", options.width, 1, 16384)
         .within("height", options.height, 1, 16384)
         .within("padding", options.padding, 0, 64)
+        .within("texelSamples", options.texelSamples, 1, 64)
         .status();
 }
 

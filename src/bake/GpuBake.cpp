@@ -33,20 +33,20 @@ glm::vec4 GpuBake::ground() const {
     return {glm::vec3(geometry.up()), static_cast<float>(height)};
 }
 
-Result<BakeVertices> GpuBake::upload(int width, int height) const {
+Result<BakeVertices> GpuBake::upload(int width, int height, const Facets* facets) const {
     const gl::StateGuard guard(*gl);
-    return BakeVertices::create(*gl, geometry, frame, width, height);
+    return BakeVertices::create(*gl, geometry, frame, width, height, facets);
 }
 
 Status GpuBake::addDirections(const DirectionPlan& plan, const BakeProgress& progress,
                               const AddViews& add) const {
     std::vector<LightView> views;
-    for (int first = 0; first < plan.directions; first += plan.atOnce) {
-        if (progress && !progress(double(first) / double(plan.directions))) {
+    for (int first = plan.first; first < plan.last; first += plan.atOnce) {
+        if (progress && !progress(double(first - plan.first) / double(plan.last - plan.first))) {
             return cancelledBake();
         }
         views.clear();
-        for (int i = first; i < std::min(first + plan.atOnce, plan.directions); ++i) {
+        for (int i = first; i < std::min(first + plan.atOnce, plan.last); ++i) {
             const auto index = static_cast<std::uint32_t>(i);
             const glm::dvec3 direction = lightDirection(plan.sky, geometry.up(), plan.seed, index);
             views.push_back(lightView(frame, direction, plan.pictureSize, plan.seed, index));

@@ -19,7 +19,8 @@ namespace aolib::bake {
 
 /// The directions of light of a bake, and the pictures taken along them.
 struct DirectionPlan {
-    int directions = 0;
+    int first = 0;       ///< direction
+    int last = 0;        ///< direction, not among them
     int atOnce = 1;      ///< pictures between two calls of the progress callback
     int pictureSize = 0; ///< pixels along a picture's side
     Sky sky = Sky::Sphere;
@@ -40,8 +41,9 @@ struct GpuBake {
 
     /// Up and the ground's height along it, in the frame; 0 where there is no ground.
     glm::vec4 ground() const;
-    /// The triangles, for maps of this size. Errors: OutOfMemory.
-    Result<BakeVertices> upload(int width, int height) const;
+    /// The triangles, for maps of this size, with the numbers of their facets or without. Errors:
+    /// OutOfMemory.
+    Result<BakeVertices> upload(int width, int height, const Facets* facets) const;
     /// Goes through all directions, giving the host its GL state and the word in between.
     /// Errors: Cancelled.
     Status addDirections(const DirectionPlan& plan, const BakeProgress& progress,

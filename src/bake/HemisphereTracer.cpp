@@ -80,7 +80,8 @@ HemisphereTracer::Start HemisphereTracer::startOf(const Receiver& receiver) cons
     return start;
 }
 
-void HemisphereTracer::trace(std::span<const Receiver> receivers, std::span<Openness> results) {
+void HemisphereTracer::trace(std::span<const Receiver> receivers, int first, int last,
+                             std::span<Openness> results) {
     std::array<Start, capacity> starts;
     bool alike = receivers.size() >= fewReceivers;
     for (std::size_t i = 0; i < receivers.size(); ++i) {
@@ -88,20 +89,18 @@ void HemisphereTracer::trace(std::span<const Receiver> receivers, std::span<Open
         alike = alike && glm::dot(starts[i].basis[2], starts[0].basis[2]) >= alikeCosine;
         results[i] = {};
     }
-    const auto rays = static_cast<std::uint32_t>(options_.rays);
-    for (std::uint32_t first = 0; first < rays;) {
-        // Chunks whose sizes are powers of two that never grow start at multiples of their size.
+    const auto end = static_cast<std::uint32_t>(last);
+    for (auto next = static_cast<std::uint32_t>(first); next < end;) {
+        // Chunks are powers of two and start at multiples of their size.
+        const std::uint32_t aligned = next == 0 ? RayChunk::capacity : next & (~next + 1);
         const std::uint32_t count =
-            std::min<std::uint32_t>(RayChunk::capacity, std::bit_floor(rays - first));
+            std::min({std::uint32_t{RayChunk::capacity}, std::bit_floor(end - next), aligned});
         for (std::size_t i = 0; i < receivers.size(); ++i) {
-            spread(starts[i], i, first, static_cast<int>(count));
+            spread(starts[i], i, next, static_cast<int>(count));
         }
         traceChunk(std::span(starts).first(receivers.size()), static_cast<int>(count), alike,
                    results);
-        first += count;
-    }
-    for (Openness& result : results) {
-        result.visibility = std::clamp(result.visibility / float(options_.rays), 0.0F, 1.0F);
+        next += count;
     }
 }
 

@@ -26,7 +26,7 @@ struct Receiver {
 
 /// What a receiver's rays found.
 struct Openness {
-    float visibility = 0.0F;   ///< 0 to 1, by the measure
+    float visibility = 0.0F;   ///< sum over open rays, by the measure; 1 per ray where all are
     glm::vec3 direction{0.0F}; ///< sum over open rays, weighed alike; any length
 };
 
@@ -40,8 +40,10 @@ public:
     HemisphereTracer(const BakeGeometry& geometry, const RayScene& scene,
                      const RayOptions& options);
 
+    /// Traces rays `first` to `last` - 1 of those that each receiver has.
     /// @param receivers  1 to `capacity`; `results` is as long.
-    void trace(std::span<const Receiver> receivers, std::span<Openness> results);
+    void trace(std::span<const Receiver> receivers, int first, int last,
+               std::span<Openness> results);
 
 private:
     struct Start;

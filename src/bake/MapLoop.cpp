@@ -21,23 +21,24 @@ Status noMemoryForMaps(const MapOptions& options) {
                                          " x " + std::to_string(options.height) + " texels"};
 }
 
-Result<std::vector<BakedMap>> bakeEachMap(const BakeScene& scene, const MapOptions& options,
+Result<std::vector<BakedMap>> bakeEachMap(const BakeGeometry& geometry, const MapOptions& options,
                                           const BakeProgress& progress,
                                           const BakeOneMap& bake) try {
     if (Status status = check(options); !status) {
         return status;
     }
-    const int count = scene.mapCount();
+    const Facets facets(geometry.scene());
+    const int count = geometry.scene().mapCount();
     std::vector<BakedMap> maps;
     bool covered = false;
     for (int number = 0; number < count; ++number) {
-        const TexelRaster raster(scene, number, options.width, options.height);
-        covered = covered || raster.coveredTexels() > 0;
+        TexelReceivers receivers(geometry, facets, number, options);
+        covered = covered || receivers.raster().coveredTexels() > 0;
         const auto share = [&](double fraction) {
             return !progress || progress((number + fraction) / count);
         };
-        BakedMap& map = maps.emplace_back(emptyMap(raster));
-        if (Status status = bake(raster, number, map, share); !status) {
+        BakedMap& map = maps.emplace_back(emptyMap(receivers.raster()));
+        if (Status status = bake(receivers, number, map, share); !status) {
             return status;
         }
         finish(map, options);

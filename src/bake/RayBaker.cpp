@@ -38,8 +38,8 @@ SequenceSeed RayBaker::seedOf(int kind, std::size_t a, std::size_t b) const {
                               : SequenceSeed{own.first ^ user.first, own.second ^ user.second};
 }
 
-bool RayBaker::traceGroups(std::size_t groups, const FillGroup& fill, const TakeResult& take,
-                           const BakeProgress& progress) const {
+bool RayBaker::traceGroups(std::size_t groups, const SampleRange& rays, const FillGroup& fill,
+                           const TakeResult& take, const BakeProgress& progress) const {
     const auto body = [&](std::size_t begin, std::size_t end) {
         const auto tracer = std::make_unique<HemisphereTracer>(geometry_, rays_, options_);
         std::array<Receiver, HemisphereTracer::capacity> receivers;
@@ -49,7 +49,8 @@ bool RayBaker::traceGroups(std::size_t groups, const FillGroup& fill, const Take
             if (count == 0) {
                 continue;
             }
-            tracer->trace(std::span(receivers).first(count), std::span(found).first(count));
+            tracer->trace(std::span(receivers).first(count), rays.first, rays.last,
+                          std::span(found).first(count));
             for (std::size_t i = 0; i < count; ++i) {
                 take(receivers[i], found[i]);
             }
@@ -58,25 +59,21 @@ bool RayBaker::traceGroups(std::size_t groups, const FillGroup& fill, const Take
     return parallelLoop(groups, options_.threads, body, progress);
 }
 
-bool RayBaker::traceMap(const TexelRaster& raster, int number, BakedMap& map,
-                        const BakeProgress& progress) const {
-    const int across = (raster.width() + tileSide - 1) / tileSide;
-    const int along = (raster.height() + tileSide - 1) / tileSide;
+/// Adds what some of the rays find to a map's sums, from one place in each texel.
+bool RayBaker::addRays(const TexelReceivers& from, int number, const SampleRange& rays,
+                       BakedMap& map, const BakeProgress& progress) const {
+    const int across = (map.width + tileSide - 1) / tileSide;
+    const int along = (map.height + tileSide - 1) / tileSide;
     const auto fill = [&](std::size_t tile, Receiver* receivers) {
         std::size_t count = 0;
         const int left = static_cast<int>(tile % static_cast<std::size_t>(across)) * tileSide;
         const int bottom = static_cast<int>(tile / static_cast<std::size_t>(across)) * tileSide;
-        for (int y = bottom; y < std::min(bottom + tileSide, raster.height()); ++y) {
-            for (int x = left; x < std::min(left + tileSide, raster.width()); ++x) {
+        for (int y = bottom; y < std::min(bottom + tileSide, map.height); ++y) {
+            for (int x = left; x < std::min(left + tileSide, map.width); ++x) {
                 const auto texel =
-                    static_cast<std::size_t>(y) * static_cast<std::size_t>(raster.width()) +
+                    static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) +
                     static_cast<std::size_t>(x);
-                if (raster.kind(texel) == TexelKind::Empty) {
-                    continue;
-                }
-                const glm::vec2& b = raster.barycentric(texel);
-                if (const auto point =
-                        geometry_.point(raster.triangle(texel), double{b.x}, double{b.y})) {
+                if (const auto point = from.at(texel)) {
                     receivers[count++] = {
                         *point,
                         seedOf(number, static_cast<std::size_t>(x), static_cast<std::size_t>(y)),
@@ -87,20 +84,41 @@ bool RayBaker::traceMap(const TexelRaster& raster, int number, BakedMap& map,
         return count;
     };
     const auto take = [&](const Receiver& receiver, const Openness& openness) {
-        map.visibility[receiver.place] = openness.visibility;
-        map.bentNormal[receiver.place] = unitOr(openness.direction, receiver.point.normal);
+        map.visibility[receiver.place] += openness.visibility;
+        map.bentNormal[receiver.place] += openness.direction;
     };
-    return traceGroups(static_cast<std::size_t>(across) * static_cast<std::size_t>(along), fill,
-                       take, progress);
+    return traceGroups(static_cast<std::size_t>(across) * static_cast<std::size_t>(along), rays,
+                       fill, take, progress);
+}
+
+Status RayBaker::bakeMap(TexelReceivers& receivers, int number, BakedMap& map,
+                         const BakeProgress& progress) const {
+    std::fill(map.visibility.begin(), map.visibility.end(), 0.0F);
+    const int places = receivers.placesFor(options_.rays, 1);
+    for (int place = 0; place < places; ++place) {
+        receivers.moveTo(place, places);
+        const auto share = [&](double fraction) { return progress((place + fraction) / places); };
+        if (!addRays(receivers, number, sampleRange(options_.rays, place, places), map, share)) {
+            return cancelledBake();
+        }
+    }
+    receivers.moveTo(0, 1);
+    for (std::size_t i = 0; i < map.visibility.size(); ++i) {
+        const std::optional<SurfacePoint> point = receivers.at(i);
+        map.visibility[i] =
+            point ? std::clamp(map.visibility[i] / float(options_.rays), 0.0F, 1.0F) : -1.0F;
+        map.bentNormal[i] = point ? unitOr(map.bentNormal[i], point->normal) : glm::vec3(0.0F);
+    }
+    return {};
 }
 
 Result<std::vector<BakedMap>> RayBaker::bakeMaps(const MapOptions& options,
                                                  const BakeProgress& progress) {
-    const auto bake = [this](const TexelRaster& raster, int number, BakedMap& map,
+    const auto bake = [this](TexelReceivers& receivers, int number, BakedMap& map,
                              const BakeProgress& share) {
-        return traceMap(raster, number, map, share) ? Status() : cancelledBake();
+        return bakeMap(receivers, number, map, share);
     };
-    return bakeEachMap(geometry_.scene(), options, progress, bake);
+    return bakeEachMap(geometry_, options, progress, bake);
 }
 
 Result<std::vector<glm::vec4>> RayBaker::tracePoints(const std::vector<SurfacePoint>& points,
@@ -116,10 +134,10 @@ Result<std::vector<glm::vec4>> RayBaker::tracePoints(const std::vector<SurfacePo
         return end - group * size;
     };
     const auto take = [&](const Receiver& receiver, const Openness& openness) {
-        values[receiver.place] = {openness.visibility,
+        values[receiver.place] = {openness.visibility / float(options_.rays),
                                   unitOr(openness.direction, receiver.point.normal)};
     };
-    if (!traceGroups((points.size() + size - 1) / size, fill, take, progress)) {
+    if (!traceGroups((points.size() + size - 1) / size, {0, options_.rays}, fill, take, progress)) {
         return cancelledBake();
     }
     return values;

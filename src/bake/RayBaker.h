@@ -9,7 +9,7 @@
 #include "bake/BakeGeometry.h"
 #include "bake/HemisphereTracer.h"
 #include "bake/SurfaceSamples.h"
-#include "bake/TexelRaster.h"
+#include "bake/TexelReceivers.h"
 #include "bake/VertexWeld.h"
 #include "raytracing/RayScene.h"
 
@@ -31,10 +31,12 @@ private:
     using FillGroup = std::function<std::size_t(std::size_t group, Receiver* receivers)>;
     using TakeResult = std::function<void(const Receiver& receiver, const Openness& openness)>;
 
-    bool traceGroups(std::size_t groups, const FillGroup& fill, const TakeResult& take,
-                     const BakeProgress& progress) const;
-    bool traceMap(const TexelRaster& raster, int number, BakedMap& map,
-                  const BakeProgress& progress) const;
+    bool traceGroups(std::size_t groups, const SampleRange& rays, const FillGroup& fill,
+                     const TakeResult& take, const BakeProgress& progress) const;
+    bool addRays(const TexelReceivers& from, int number, const SampleRange& rays, BakedMap& map,
+                 const BakeProgress& progress) const;
+    Status bakeMap(TexelReceivers& receivers, int number, BakedMap& map,
+                   const BakeProgress& progress) const;
     /// W and direction of each point.
     Result<std::vector<glm::vec4>> tracePoints(const std::vector<SurfacePoint>& points,
                                                const BakeProgress& progress) const;

@@ -11,6 +11,7 @@
 
 #include "bake/BakeVertices.h"
 #include "bake/CheckOptions.h"
+#include "bake/Facets.h"
 #include "bake/MapFill.h"
 #include "bake/MapLoop.h"
 #include "bake/SurfaceSamples.h"
@@ -22,13 +23,14 @@ namespace {
 
 /// Directions between two calls of the progress callback.
 constexpr int directionsAtOnce = 4;
-/// Pixels of stage 1's picture per texel that charts cover, when the size is derived. A direction
-/// sees about a quarter of it filled and half of the texels: so two pixels per texel.
-constexpr double pixelsPerTexel = 4.0;
+/// Pixels of stage 1's picture per texel that charts cover, when the size is derived. Of a convex
+/// model a direction sees half of the texels in more than half of the picture. With fewer, points
+/// are larger than texels where charts are laid out finer than on average.
+constexpr double pixelsPerTexel = 6.0;
 constexpr int leastRaster = 128;
 constexpr int largestRaster = 4096;
-/// Texels of which less is covered have too few points to say anything.
-constexpr float leastCoverage = 0.2F;
+/// Texels of which less is covered, in shares of a texel, have too few points to say anything.
+constexpr float leastCoverage = 0.01F;
 
 } // namespace
 
@@ -66,13 +68,14 @@ float ScatterBaker::density(const std::vector<TexelRaster>& rasters) const {
 
 Result<ScatterBaker::Sums> ScatterBaker::sumStack(const ScatterPasses::Settings& settings,
                                                   const BakeVertices& vertices,
+                                                  const std::vector<float>& facets,
                                                   const BakeProgress& progress) const {
     const gl::Functions& gl = *gpu_.gl;
     Sums sums;
     ScatterPasses passes;
     {
         const gl::StateGuard guard(gl);
-        Result<ScatterPasses> made = ScatterPasses::create(gl, settings);
+        Result<ScatterPasses> made = ScatterPasses::create(gl, settings, facets);
         if (!made) {
             return made.status();
         }
@@ -81,7 +84,7 @@ Result<ScatterBaker::Sums> ScatterBaker::sumStack(const ScatterPasses::Settings&
         sums.coverage = passes.coverage();
     }
     DirectionPlan plan;
-    plan.directions = options_.directions;
+    plan.last = options_.directions;
     plan.atOnce = directionsAtOnce;
     plan.pictureSize = settings.rasterSize;
     plan.sky = options_.sky;
@@ -159,7 +162,8 @@ Result<std::vector<BakedMap>> ScatterBaker::bakeMaps(const MapOptions& options,
     settings.pointSize = options_.pointSize;
     settings.density = options_.stretchCorrection ? 0.0F : density(rasters);
     settings.ground = gpu_.ground();
-    const Result<BakeVertices> vertices = gpu_.upload(options.width, options.height);
+    const Facets facets(gpu_.geometry.scene());
+    const Result<BakeVertices> vertices = gpu_.upload(options.width, options.height, &facets);
     if (!vertices) {
         return vertices.status();
     }
@@ -169,7 +173,13 @@ Result<std::vector<BakedMap>> ScatterBaker::bakeMaps(const MapOptions& options,
         const auto share = [&](double fraction) {
             return !progress || progress((first + fraction * settings.stack.count) / count);
         };
-        const Result<Sums> sums = sumStack(settings, *vertices, share);
+        std::vector<float> owners;
+        for (int i = 0; i < settings.stack.count; ++i) {
+            const std::vector<float> more = facets.ofTexels(
+                gpu_.geometry.scene(), rasters[static_cast<std::size_t>(first + i)]);
+            owners.insert(owners.end(), more.begin(), more.end());
+        }
+        const Result<Sums> sums = sumStack(settings, *vertices, owners, share);
         if (!sums) {
             return sums.status();
         }

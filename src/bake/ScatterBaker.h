@@ -27,7 +27,7 @@ private:
     int rasterSize(const std::vector<TexelRaster>& rasters) const;
     float density(const std::vector<TexelRaster>& rasters) const;
     Result<Sums> sumStack(const ScatterPasses::Settings& settings, const BakeVertices& vertices,
-                          const BakeProgress& progress) const;
+                          const std::vector<float>& facets, const BakeProgress& progress) const;
     BakedMap mapOf(const TexelRaster& raster, const Sums& sums, std::size_t offset,
                    const MapOptions& options) const;
 

@@ -19,8 +19,12 @@ using Depth = gl::RenderToTexture2D::Depth;
 
 /// Points per texel when coverage is summed: Sobol's, whose projections onto both axes are evenly
 /// spaced. So a texel that is covered as a whole has an exact sum, and one that a border along an
-/// axis cuts is off by less than 1 / 64.
-constexpr std::uint32_t coverageSamples = 64;
+/// axis cuts is off by less than 1 / 256.
+constexpr std::uint32_t coverageSamples = 256;
+
+/// Points per draw call. A software rasteriser keeps the vertices of a call in memory that it asks
+/// the system for each time, where they are many: a seventh of its time, with all in one call.
+constexpr int pointsAtOnce = 1024;
 
 /// A pixel's side across the light, of a picture of one pixel, frame units: pictures just hold the
 /// scene, whose bounding sphere's diameter is 2; most directions show less of a box.
@@ -59,7 +63,8 @@ private:
 
 } // namespace
 
-Result<ScatterPasses> ScatterPasses::create(const gl::Functions& gl, const Settings& settings) {
+Result<ScatterPasses> ScatterPasses::create(const gl::Functions& gl, const Settings& settings,
+                                            const std::vector<float>& facets) {
     ScatterPasses passes;
     passes.gl_ = &gl;
     passes.settings_ = settings;
@@ -93,10 +98,13 @@ Result<ScatterPasses> ScatterPasses::create(const gl::Functions& gl, const Setti
                                  Depth::Depth32F, "aolib/bake/surface"));
     keep(passes.sums_, target(size, {Format::RGBA32F}, Depth::None, "aolib/bake/sums"));
     keep(passes.coverage_, target(size, {Format::RGBA32F}, Depth::None, "aolib/bake/coverage"));
+    keep(passes.facets_,
+         gl::TextureStack::create(gl, {size.x, size.y, 1, Format::R32F, "aolib/bake/facets"}));
     keep(passes.points_, gl::VertexArray::createEmpty(gl, "aolib/bake/points"));
     if (!status) {
         return status;
     }
+    passes.facets_.upload(0, {0, 0}, size, facets.data());
     passes.clear(passes.sums_);
     passes.clear(passes.coverage_);
     return passes;
@@ -171,12 +179,16 @@ void ScatterPasses::scatter(const gl::RenderToTexture2D& target, const glm::vec3
     pointShader_.set("uSize", 1);
     pointShader_.set("uSurface", 0);
     pointShader_.set("uTargetSize", glm::vec2(target.width(), target.height()));
-    pointShader_.set("uMapHeight", float(settings_.stack.mapSize.y));
+    facets_.bind(2);
+    pointShader_.set("uFacets", 2);
     pointShader_.set("uPointSize", settings_.pointSize);
     pointShader_.set("uDirection", direction);
     gl_->Enablei(GL_BLEND, 0);
     gl_->BlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
-    points_.drawGenerated(GL_POINTS, settings_.rasterSize * rows);
+    const int count = settings_.rasterSize * rows;
+    for (int first = 0; first < count; first += pointsAtOnce) {
+        points_.drawGenerated(GL_POINTS, std::min(pointsAtOnce, count - first), first);
+    }
     gl_->Disablei(GL_BLEND, 0);
 }
 

@@ -12,6 +12,7 @@
 #include "bake/LightView.h"
 #include "gl/GLSLShader.h"
 #include "gl/RenderToTexture2D.h"
+#include "gl/TextureStack.h"
 #include "gl/VertexArray.h"
 
 namespace aolib::bake {
@@ -36,8 +37,10 @@ public:
     };
 
     ScatterPasses() = default;
-    /// Errors: ShaderError, MissingCapability, OutOfMemory.
-    static Result<ScatterPasses> create(const gl::Functions& gl, const Settings& settings);
+    /// @param facets  per texel of the stack, from the bottom. Errors: ShaderError,
+    /// MissingCapability, OutOfMemory.
+    static Result<ScatterPasses> create(const gl::Functions& gl, const Settings& settings,
+                                        const std::vector<float>& facets);
 
     /// Sums what of each texel charts cover, spread as points are.
     void addCoverage(const BakeVertices& vertices);
@@ -64,6 +67,7 @@ private:
     gl::RenderToTexture2D surface_;
     gl::RenderToTexture2D sums_;
     gl::RenderToTexture2D coverage_;
+    gl::TextureStack facets_;
     gl::VertexArray points_;
 };
 

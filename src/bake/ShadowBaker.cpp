@@ -18,58 +18,66 @@ constexpr int vertexColumns = 1024;
 
 } // namespace
 
-Result<std::vector<glm::vec4>> ShadowBaker::sumsAt(Receivers receivers, const glm::ivec2& size,
-                                                   const BakeVertices& vertices,
-                                                   const BakeProgress& progress) const {
-    const gl::Functions& gl = *gpu_.gl;
+/// Room for sums of a grid of receivers.
+Result<ShadowPasses> ShadowBaker::passesFor(const glm::ivec2& size) const {
+    const gl::StateGuard guard(*gpu_.gl);
+    ShadowPasses::Settings settings;
+    settings.size = size;
+    settings.depthSize = std::min(options_.depthSize, gpu_.gl->capabilities.maxTextureSize);
+    settings.mapsPerPass = options_.mapsPerPass;
+    settings.bias = options_.bias;
+    settings.ground = gpu_.ground();
+    return ShadowPasses::create(*gpu_.gl, settings);
+}
+
+/// Adds what some of the directions light at receivers.
+Status ShadowBaker::add(ShadowPasses& passes, const BakeVertices& vertices, Receivers receivers,
+                        const SampleRange& directions, const BakeProgress& progress) const {
+    {
+        const gl::StateGuard guard(*gpu_.gl);
+        passes.setReceivers(gpu_.frame, receivers);
+    }
     DirectionPlan plan;
-    plan.directions = options_.directions;
-    plan.pictureSize = std::min(options_.depthSize, gl.capabilities.maxTextureSize);
+    plan.first = directions.first;
+    plan.last = directions.last;
+    plan.atOnce = passes.mapsPerPass();
+    plan.pictureSize = passes.depthSize();
     plan.sky = options_.sky;
     plan.seed = options_.seed;
-    ShadowPasses passes;
-    {
-        const gl::StateGuard guard(gl);
-        ShadowPasses::Settings settings;
-        settings.size = size;
-        settings.depthSize = plan.pictureSize;
-        settings.mapsPerPass = options_.mapsPerPass;
-        settings.bias = options_.bias;
-        settings.ground = gpu_.ground();
-        Result<ShadowPasses> made = ShadowPasses::create(gl, settings, gpu_.frame, receivers);
-        if (!made) {
-            return made.status();
-        }
-        passes = std::move(*made);
-    }
-    plan.atOnce = passes.mapsPerPass();
-    const auto add = [&](std::span<const LightView> views) {
+    return gpu_.addDirections(plan, progress, [&](std::span<const LightView> views) {
         passes.addDirections(vertices, views);
-    };
-    if (Status status = gpu_.addDirections(plan, progress, add); !status) {
-        return status;
-    }
-    const gl::StateGuard guard(gl);
+    });
+}
+
+std::vector<glm::vec4> ShadowBaker::sumsOf(const ShadowPasses& passes) const {
+    const gl::StateGuard guard(*gpu_.gl);
     return passes.sums();
 }
 
-Status ShadowBaker::bakeMap(const TexelRaster& raster, const BakeVertices& vertices, BakedMap& map,
+Status ShadowBaker::bakeMap(TexelReceivers& receivers, const BakeVertices& vertices, BakedMap& map,
                             const BakeProgress& progress) const {
-    std::vector<std::optional<SurfacePoint>> receivers(raster.size());
-    for (std::size_t i = 0; i < raster.size(); ++i) {
-        if (raster.kind(i) != TexelKind::Empty) {
-            const glm::vec2& b = raster.barycentric(i);
-            receivers[i] = gpu_.geometry.point(raster.triangle(i), double{b.x}, double{b.y});
+    Result<ShadowPasses> passes = passesFor({map.width, map.height});
+    if (!passes) {
+        return passes.status();
+    }
+    std::vector<std::optional<SurfacePoint>> points(map.visibility.size());
+    const int places = receivers.placesFor(options_.directions, passes->mapsPerPass());
+    for (int place = 0; place < places; ++place) {
+        receivers.moveTo(place, places);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            points[i] = receivers.at(i);
+        }
+        const auto share = [&](double fraction) { return progress((place + fraction) / places); };
+        const SampleRange directions = sampleRange(options_.directions, place, places);
+        if (Status status = add(*passes, vertices, points, directions, share); !status) {
+            return status;
         }
     }
-    const auto sums = sumsAt(receivers, {raster.width(), raster.height()}, vertices, progress);
-    if (!sums) {
-        return sums.status();
-    }
+    const std::vector<glm::vec4> sums = sumsOf(*passes);
     const double norm = cosineNorm(options_.sky, options_.directions);
-    for (std::size_t i = 0; i < receivers.size(); ++i) {
-        if (receivers[i]) {
-            setTexel(map, i, (*sums)[i], norm, receivers[i]->normal);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (points[i]) {
+            setTexel(map, i, sums[i], norm, points[i]->normal);
             map.visibility[i] = std::min(map.visibility[i], 1.0F);
         }
     }
@@ -81,15 +89,15 @@ Result<std::vector<BakedMap>> ShadowBaker::bakeMaps(const MapOptions& options,
     if (Status status = check(options); !status) {
         return status;
     }
-    const Result<BakeVertices> vertices = gpu_.upload(options.width, options.height);
+    const Result<BakeVertices> vertices = gpu_.upload(options.width, options.height, nullptr);
     if (!vertices) {
         return vertices.status();
     }
-    const auto bake = [&](const TexelRaster& raster, int /*number*/, BakedMap& map,
+    const auto bake = [&](TexelReceivers& receivers, int /*number*/, BakedMap& map,
                           const BakeProgress& share) {
-        return bakeMap(raster, *vertices, map, share);
+        return bakeMap(receivers, *vertices, map, share);
     };
-    return bakeEachMap(gpu_.geometry.scene(), options, progress, bake);
+    return bakeEachMap(gpu_.geometry, options, progress, bake);
 } catch (const std::bad_alloc&) {
     return noMemoryForMaps(options);
 }
@@ -103,7 +111,7 @@ Result<std::vector<BakedVertices>> ShadowBaker::bakeVertices(const VertexOptions
         return Status(StatusCode::MissingCapability,
                       "shadow maps are read at the vertices alone; rays fit the surface");
     }
-    const Result<BakeVertices> vertices = gpu_.upload(1, 1);
+    const Result<BakeVertices> vertices = gpu_.upload(1, 1, nullptr);
     if (!vertices) {
         return vertices.status();
     }
@@ -111,13 +119,17 @@ Result<std::vector<BakedVertices>> ShadowBaker::bakeVertices(const VertexOptions
     const int rows = static_cast<int>((weld.points.size() + vertexColumns - 1) / vertexColumns);
     std::vector<std::optional<SurfacePoint>> receivers(weld.points.begin(), weld.points.end());
     receivers.resize(static_cast<std::size_t>(rows) * vertexColumns);
-    const auto sums = sumsAt(receivers, {vertexColumns, rows}, *vertices, progress);
-    if (!sums) {
-        return sums.status();
+    Result<ShadowPasses> passes = passesFor({vertexColumns, rows});
+    if (!passes) {
+        return passes.status();
+    }
+    if (Status status = add(*passes, *vertices, receivers, {0, options_.directions}, progress);
+        !status) {
+        return status;
     }
     const double norm = cosineNorm(options_.sky, options_.directions);
     std::vector<glm::vec4> values;
-    for (const glm::vec4& sum : *sums) {
+    for (const glm::vec4& sum : sumsOf(*passes)) {
         values.emplace_back(static_cast<float>(double{sum.w} * norm), glm::vec3(sum));
     }
     if (progress) {

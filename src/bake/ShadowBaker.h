@@ -8,7 +8,7 @@
 
 #include "bake/GpuBake.h"
 #include "bake/ShadowPasses.h"
-#include "bake/TexelRaster.h"
+#include "bake/TexelReceivers.h"
 
 namespace aolib::bake {
 
@@ -26,11 +26,11 @@ public:
 private:
     using Receivers = std::span<const std::optional<SurfacePoint>>;
 
-    Result<std::vector<glm::vec4>> sumsAt(Receivers receivers, const glm::ivec2& size,
-                                          const BakeVertices& vertices,
-                                          const BakeProgress& progress) const;
-
-    Status bakeMap(const TexelRaster& raster, const BakeVertices& vertices, BakedMap& map,
+    Result<ShadowPasses> passesFor(const glm::ivec2& size) const;
+    Status add(ShadowPasses& passes, const BakeVertices& vertices, Receivers receivers,
+               const SampleRange& directions, const BakeProgress& progress) const;
+    std::vector<glm::vec4> sumsOf(const ShadowPasses& passes) const;
+    Status bakeMap(TexelReceivers& receivers, const BakeVertices& vertices, BakedMap& map,
                    const BakeProgress& progress) const;
 
     GpuBake gpu_;

@@ -22,9 +22,7 @@ constexpr int tilesAcross = 4;
 
 } // namespace
 
-Result<ShadowPasses> ShadowPasses::create(const gl::Functions& gl, const Settings& settings,
-                                          const BakeFrame& frame,
-                                          std::span<const std::optional<SurfacePoint>> receivers) {
+Result<ShadowPasses> ShadowPasses::create(const gl::Functions& gl, const Settings& settings) {
     ShadowPasses passes;
     passes.gl_ = &gl;
     passes.settings_ = settings;
@@ -62,9 +60,6 @@ Result<ShadowPasses> ShadowPasses::create(const gl::Functions& gl, const Setting
          gl::TextureStack::create(
              gl, {settings.size.x, settings.size.y, 3, Format::RGBA32F, "aolib/bake/receivers"}));
     keep(passes.fullscreen_, gl::VertexArray::createEmpty(gl, "aolib/bake/fullscreen"));
-    if (status) {
-        status = passes.upload(frame, receivers);
-    }
     if (!status) {
         return status;
     }
@@ -74,8 +69,8 @@ Result<ShadowPasses> ShadowPasses::create(const gl::Functions& gl, const Setting
     return passes;
 }
 
-Status ShadowPasses::upload(const BakeFrame& frame,
-                            std::span<const std::optional<SurfacePoint>> receivers) {
+void ShadowPasses::setReceivers(const BakeFrame& frame,
+                                std::span<const std::optional<SurfacePoint>> receivers) {
     std::vector<glm::vec4> layer(receivers.size());
     for (int number = 0; number < 3; ++number) {
         for (std::size_t i = 0; i < receivers.size(); ++i) {
@@ -90,7 +85,6 @@ Status ShadowPasses::upload(const BakeFrame& frame,
         }
         receivers_.upload(number, {0, 0}, settings_.size, layer.data());
     }
-    return {};
 }
 
 glm::ivec2 ShadowPasses::tile(std::size_t number) const {

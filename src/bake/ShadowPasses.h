@@ -32,20 +32,22 @@ public:
     };
 
     ShadowPasses() = default;
-    /// @param receivers  row by row; nothing where there is none. Errors: ShaderError,
-    /// MissingCapability, OutOfMemory.
-    static Result<ShadowPasses> create(const gl::Functions& gl, const Settings& settings,
-                                       const BakeFrame& frame,
-                                       std::span<const std::optional<SurfacePoint>> receivers);
+    /// Errors: ShaderError, MissingCapability, OutOfMemory.
+    static Result<ShadowPasses> create(const gl::Functions& gl, const Settings& settings);
+
+    /// What the next directions light.
+    /// @param receivers  row by row; nothing where there is none.
+    void setReceivers(const BakeFrame& frame,
+                      std::span<const std::optional<SurfacePoint>> receivers);
 
     int mapsPerPass() const { return settings_.mapsPerPass; }
+    int depthSize() const { return settings_.depthSize; }
     /// Draws the depth maps of up to mapsPerPass() directions and adds what they light.
     void addDirections(const BakeVertices& vertices, std::span<const LightView> views);
     /// Per receiver: weighed direction and weight.
     std::vector<glm::vec4> sums() const;
 
 private:
-    Status upload(const BakeFrame& frame, std::span<const std::optional<SurfacePoint>> receivers);
     void drawDepths(const BakeVertices& vertices, std::span<const LightView> views);
     void gather(std::span<const LightView> views);
     glm::ivec2 tile(std::size_t number) const;

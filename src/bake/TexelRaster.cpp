@@ -124,8 +124,9 @@ UvFault uvFault(const Surface& surface, std::uint32_t triangle, const glm::dvec2
     return fault;
 }
 
-TexelRaster::TexelRaster(const BakeScene& scene, int map, int width, int height)
-    : width_(width), height_(height) {
+TexelRaster::TexelRaster(const BakeScene& scene, int map, int width, int height,
+                         const glm::dvec2& place)
+    : width_(width), height_(height), place_(place) {
     const std::size_t texels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     kind_.assign(texels, TexelKind::Empty);
     triangle_.resize(texels);
@@ -164,7 +165,7 @@ void TexelRaster::add(const Corners& corners, const TriangleName& name) {
 void TexelRaster::visit(const Corners& corners, const TriangleName& name, int x, int y) {
     const auto texel = static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
                        static_cast<std::size_t>(x);
-    const glm::dvec2 centre(x + 0.5, y + 0.5);
+    const glm::dvec2 centre = glm::dvec2(x, y) + place_;
     const glm::dvec2 weights = corners.barycentric(centre);
     const double depth = corners.depth(weights);
     if (depth >= 0.0) {

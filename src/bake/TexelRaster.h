@@ -20,11 +20,14 @@ enum class UvFault : std::uint8_t { None, Missing, NotFinite, Outside, Collapsed
 UvFault uvFault(const Surface& surface, std::uint32_t triangle, const glm::dvec2& size);
 
 /// Which triangle each texel of a map shows: the one that its centre lies in, or else, where a
-/// chart touches the texel but not its centre, the one that comes nearest to the centre.
+/// chart touches the texel but not its centre, the one that comes nearest to the centre. Another
+/// place than the centre may be looked at.
 class TexelRaster {
 public:
     /// Rasterises all surfaces that go to `map`.
-    TexelRaster(const BakeScene& scene, int map, int width, int height);
+    /// @param place  in each texel, (0,0) to (1,1).
+    TexelRaster(const BakeScene& scene, int map, int width, int height,
+                const glm::dvec2& place = glm::dvec2(0.5));
 
     int width() const { return width_; }
     int height() const { return height_; }
@@ -48,6 +51,7 @@ private:
 
     int width_;
     int height_;
+    glm::dvec2 place_;
     std::vector<TexelKind> kind_;
     std::vector<TriangleName> triangle_;
     std::vector<glm::vec2> barycentric_;

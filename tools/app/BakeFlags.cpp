@@ -50,6 +50,12 @@ void attachMaps(BakeFlags& flags, CLI::App& command) {
         "texels that charts are grown by")
         ->default_str("8")
         ->group(group);
+    addWholeNumber(
+        command, "--texel-samples", 1, 64,
+        [&flags](int places) { flags.map.texelSamples = places; },
+        "places across a texel that rays or directions are shared out among; 1 = its centre")
+        ->default_str("16")
+        ->group(group);
     command.add_flag("!--no-fill", flags.map.fill, "leave what lies beyond the padding black")
         ->group(group);
     addWholeNumber(

@@ -21,6 +21,7 @@
 #include "bench/TextFile.h"
 #include "bench/bake/BakeTable.h"
 #include "bench/plot/PlotFiles.h"
+#include "content/FileBytes.h"
 #include "content/generated/UvShapes.h"
 
 namespace aolib::app {
@@ -42,6 +43,7 @@ struct BenchBakeFlags {
     int truthRays = 4096;
     int repeats = 1;
     bool quick = false;
+    bool resume = false;
     std::string out = "out/bake";
 };
 
@@ -135,16 +137,26 @@ MaybeFailure benchBake(const BenchBakeFlags& flags) {
         progress.update(done);
         return !Interruption::happened();
     };
-    const auto rows = bench::runBakePlan(*plan, session->loader(), tell);
+    const fs::path folder(flags.out);
+    bench::BakeMemory memory;
+    if (flags.resume) {
+        memory.truths = folder / "truths";
+        if (const Loaded<std::string> before = readFileBytes(folder / "bake.csv")) {
+            memory.known = bench::rowsOfBakeCsv(*before);
+        }
+    }
+    memory.keep = [&](const std::vector<bench::BakeRow>& rows) {
+        static_cast<void>(bench::writeText(folder / "bake.csv", bench::bakeCsv(rows)));
+    };
+    const auto rows = bench::runBakePlan(*plan, memory, session->loader(), tell);
     progress.pause();
     if (!rows) {
         return Failure{ExitCode::Failed, rows.status().message()};
     }
     const bench::MachineInfo machine = bench::describeMachine(session->describe());
     const std::string where = machine.cpu + ", " + std::to_string(machine.cores) + " cores; " +
-                              machine.driver + "; map " + std::to_string(plan->mapSize) +
-                              "^2, truth " + std::to_string(plan->truthRays) + " rays";
-    const fs::path folder(flags.out);
+                              machine.driver + "; truth " + std::to_string(plan->truthRays) +
+                              " rays";
     for (const std::string& reason :
          {bench::writeText(folder / "bake.csv", bench::bakeCsv(*rows)),
           bench::writeText(folder / "bake.md", where + "\n\n" + bench::bakeMarkdown(*rows)),
@@ -193,6 +205,8 @@ void addBenchBake(CLI::App& bench, MaybeFailure& failure) {
         "of each bake; the median time counts")
         ->default_str("1");
     command->add_flag("--quick", flags->quick, "three meshes, small maps, 32 and 64 samples");
+    command->add_flag("--resume", flags->resume,
+                      "measure only what the folder's bake.csv lacks; truths are kept in files");
     command->add_option("--out", flags->out, "folder for bake.csv, bake.md and the plot")
         ->type_name("FOLDER");
     flags->gl.attach(*command);

@@ -60,7 +60,7 @@ struct ScatterOptions {
     int directions = 512;   ///< of light, count, 1 to 2^20
     int rasterSize = 0;     ///< pixels along the picture from each direction, 64 to 16384; 0
                             ///< derives it from the texels that charts cover
-    float pointSize = 1.0F; ///< texels along a point's edge, 0 (the nearest texel gets all) to 16
+    float pointSize = 0.5F; ///< texels along a point's edge, 0 (the nearest texel gets all) to 16
     bool stretchCorrection = true; ///< off: charts are taken to be stretched alike everywhere
     Normalisation normalisation = Normalisation::Derived;
     SeamFix seams = SeamFix::Coverage;
@@ -84,7 +84,10 @@ struct MapOptions {
     int width = 1024;  ///< texels, 1 to 16384
     int height = 1024; ///< texels, 1 to 16384
     int padding = 8;   ///< texels that each chart is grown by, 0 to 64
-    bool fill = true;  ///< fill what no chart covers, too, so that mipmaps mix nothing foreign in
+    /// Places across a texel that its rays or directions are shared out among, so that its value is
+    /// the mean over it: 1 (its centre alone) to 64. Scattering gives that mean by itself.
+    int texelSamples = 16;
+    bool fill = true; ///< fill what no chart covers, too, so that mipmaps mix nothing foreign in
 };
 
 /// Settings of vertices.

@@ -204,6 +204,23 @@ TEST_P(GpuBakerGLTest, SeveralMapsAreBakedAtOnceAndDoNotMix) {
     }
 }
 
+TEST_P(GpuBakerGLTest, ChartsThatMeetWithinATexelDoNotMix) {
+    ScatterOptions points;
+    points.directions = 64;
+    points.rasterSize = 256;
+    points.pointSize = 1.0F;
+    ShadowOptions maps;
+    maps.directions = 64;
+    maps.depthSize = 512;
+    for (const BakedMap& map : {onlyMap(*scatter(openBesideClosedChart(), points), 4),
+                                onlyMap(*shadow(openBesideClosedChart(), maps), 4)}) {
+        for (std::size_t y = 0; y < 4; ++y) {
+            EXPECT_GT(map.visibility[y * 4 + 1], 0.9F) << "its centre lies in the open chart";
+            EXPECT_LT(map.visibility[y * 4 + 2], 0.1F);
+        }
+    }
+}
+
 TEST_P(GpuBakerGLTest, GroundAndDomeDarkenWhatLooksDown) {
     UvMesh wall;
     addUvQuad(wall, {0.0F, 0.5F, 0.0F}, {1.0F, 0.0F, 0.0F}, {0.0F, 1.0F, 0.0F}, 1);

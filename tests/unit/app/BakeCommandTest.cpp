@@ -140,7 +140,7 @@ TEST_F(BakeCommandTest, TheBenchWritesATableAndAPlot) {
                                                  "made/bake.png", "made/bake.svg"}));
     const std::string csv = bytesOf("made/bake.csv");
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 2 * 3) << csv;
-    EXPECT_NE(csv.find("\nbumps-400,360,scatter,4,"), std::string::npos) << csv;
+    EXPECT_NE(csv.find("\nbumps-400,360,32,scatter,4,"), std::string::npos) << csv;
     expectRefused({"bench", "bake", "--mesh", "bumps-none"}, {"--mesh", "bumps-N"});
     expectRefused({"bench", "bake", "--mesh", "cornell"}, {"5 materials"});
 }

@@ -31,6 +31,19 @@ BakeScene floorBesideWall(double height, int cells) {
     return scene;
 }
 
+BakeScene openBesideClosedChart() {
+    UvMesh open;
+    addUvQuad(open, {0, 0, 0}, {1, 0, 0}, {0, 0, -1}, 1, {{0.0F, 0.0F}, {0.4F, 1.0F}});
+    UvMesh closed;
+    addUvQuad(closed, {3, 0, 0}, {1, 0, 0}, {0, 0, -1}, 1, {{0.4F, 0.0F}, {1.0F, 1.0F}});
+    UvMesh lid;
+    addUvQuad(lid, {2.0F, 0.05F, 1.0F}, {3, 0, 0}, {0, 0, -3}, 1);
+    BakeScene scene = sceneOf(open);
+    scene.surfaces.push_back(surfaceOf(closed, 0));
+    scene.surfaces.push_back(surfaceOf(lid, -1));
+    return scene;
+}
+
 BakedMap onlyMap(AbstractBaker& baker, int size, int padding, bool fill) {
     MapOptions options;
     options.width = size;

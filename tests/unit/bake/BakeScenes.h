@@ -20,6 +20,9 @@ UvMesh unitFloor(int cells);
 /// said, so long that it counts as endless.
 BakeScene floorBesideWall(double height, int cells = 1);
 
+/// Two charts that meet at u = 0.4 of one map: the left one open, the right one closed by a lid.
+BakeScene openBesideClosedChart();
+
 /// Values of a baker, which must succeed.
 BakedMap onlyMap(AbstractBaker& baker, int size, int padding = 0, bool fill = false);
 BakedMap bakeRays(BakeScene scene, int rays, int size);

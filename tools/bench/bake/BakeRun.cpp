@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include <aolib/bake/AbstractBaker.h>
+
+#include "bench/bake/BakedMapFile.h"
 
 namespace aolib::bench {
 
@@ -54,24 +58,60 @@ Result<bake::BakedMap> mapOf(const Result<Baker>& baker, int size) {
     return std::move(maps->front());
 }
 
+double median(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    return values[values.size() / 2];
+}
+
 Result<BakeRow> measured(const BakeMesh& mesh, BakeMethodName method, int samples,
                          const BakePlan& plan, const bake::BakedMap& truth,
                          const ProcAddressLoader& loader) {
-    BakeRow row{mesh.name, mesh.triangles, method, samples, 0.0, {}};
+    BakeRow row{mesh.name, mesh.triangles, method, samples, plan.mapSize, 0.0, 0.0, {}};
     std::vector<double> seconds;
+    std::vector<double> processor;
     for (int i = 0; i < plan.repeats; ++i) {
         const Result<Baker> baker = bakerOf(mesh, method, samples, loader);
         const Clock::time_point start = Clock::now();
+        const std::clock_t used = std::clock();
         const Result<bake::BakedMap> map = mapOf(baker, plan.mapSize);
         if (!map) {
             return map.status();
         }
         seconds.push_back(std::chrono::duration<double>(Clock::now() - start).count());
+        processor.push_back(double(std::clock() - used) / CLOCKS_PER_SEC);
         row.errors = errorsOf(*map, truth);
     }
-    std::sort(seconds.begin(), seconds.end());
-    row.seconds = seconds[seconds.size() / 2];
+    row.seconds = median(seconds);
+    row.processor = median(processor);
     return row;
+}
+
+/// A truth, from a file where an earlier run has left it.
+Result<bake::BakedMap> truthOf(const BakeMesh& mesh, const BakePlan& plan,
+                               const std::filesystem::path& folder) {
+    const std::string name =
+        mesh.name + "-" + std::to_string(plan.mapSize) + "-" + std::to_string(plan.truthRays);
+    if (!folder.empty()) {
+        if (std::optional<bake::BakedMap> kept = readBakedMap(folder / name)) {
+            return std::move(*kept);
+        }
+    }
+    bake::RayOptions rays;
+    rays.rays = plan.truthRays;
+    rays.seed = truthSeed;
+    Result<bake::BakedMap> made = mapOf(bake::createRayBaker(mesh.scene, rays), plan.mapSize);
+    if (made && !folder.empty()) {
+        writeBakedMap(folder / name, *made);
+    }
+    return made;
+}
+
+const BakeRow* rowOf(const std::vector<BakeRow>& rows, const BakeRow& wanted) {
+    const auto found = std::find_if(rows.begin(), rows.end(), [&](const BakeRow& row) {
+        return row.mesh == wanted.mesh && row.method == wanted.method &&
+               row.samples == wanted.samples && row.mapSize == wanted.mapSize;
+    });
+    return found != rows.end() ? &*found : nullptr;
 }
 
 } // namespace
@@ -91,27 +131,33 @@ const char* bakeMethodName(BakeMethodName method) {
 }
 
 Result<std::vector<BakeRow>>
-runBakePlan(const BakePlan& plan, const ProcAddressLoader& loader,
+runBakePlan(const BakePlan& plan, const BakeMemory& memory, const ProcAddressLoader& loader,
             const std::function<bool(const std::string& next, double done)>& tell) {
-    std::vector<BakeRow> rows;
+    std::vector<BakeRow> rows = memory.known;
+    std::size_t done = 0;
     const std::size_t cells = plan.meshes.size() * plan.methods.size() * plan.samples.size();
     for (const BakeMesh& mesh : plan.meshes) {
-        if (!tell(mesh.name + ", truth", double(rows.size()) / double(cells))) {
-            return rows;
-        }
-        bake::RayOptions rays;
-        rays.rays = plan.truthRays;
-        rays.seed = truthSeed;
-        const Result<bake::BakedMap> truth =
-            mapOf(bake::createRayBaker(mesh.scene, rays), plan.mapSize);
-        if (!truth) {
-            return Status(truth.status().code(), mesh.name + ": " + truth.status().message());
-        }
+        std::optional<bake::BakedMap> truth;
         for (const int samples : plan.samples) {
             for (const BakeMethodName method : plan.methods) {
+                const double share = double(done++) / double(cells);
+                if (rowOf(rows, {mesh.name, 0, method, samples, plan.mapSize, 0.0, 0.0, {}})) {
+                    continue;
+                }
+                if (!truth) {
+                    if (!tell(mesh.name + ", truth", share)) {
+                        return rows;
+                    }
+                    Result<bake::BakedMap> made = truthOf(mesh, plan, memory.truths);
+                    if (!made) {
+                        return Status(made.status().code(),
+                                      mesh.name + ": " + made.status().message());
+                    }
+                    truth = std::move(*made);
+                }
                 const std::string what =
                     mesh.name + ", " + bakeMethodName(method) + ", " + std::to_string(samples);
-                if (!tell(what, double(rows.size()) / double(cells))) {
+                if (!tell(what, share)) {
                     return rows;
                 }
                 const Result<BakeRow> row = measured(mesh, method, samples, plan, *truth, loader);
@@ -119,6 +165,9 @@ runBakePlan(const BakePlan& plan, const ProcAddressLoader& loader,
                     return Status(row.status().code(), what + ": " + row.status().message());
                 }
                 rows.push_back(*row);
+                if (memory.keep) {
+                    memory.keep(rows);
+                }
             }
         }
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -38,14 +39,23 @@ struct BakeRow {
     std::size_t triangles = 0;
     BakeMethodName method = BakeMethodName::Rays;
     int samples = 0;
-    double seconds = 0.0; ///< of a whole bake: buffers, maps, padding; not of building ray trees
+    int mapSize = 0;        ///< texels
+    double processor = 0.0; ///< seconds of all cores together
+    double seconds = 0.0;   ///< of a whole bake: buffers, maps, padding; not of building ray trees
     MapErrors errors;
+};
+
+/// What a run that was stopped has left, and what keeps this one.
+struct BakeMemory {
+    std::vector<BakeRow> known;                                 ///< are not measured again
+    std::function<void(const std::vector<BakeRow>& rows)> keep; ///< hears each new row
+    std::filesystem::path truths; ///< folder that keeps truths, empty for none
 };
 
 /// Measures a plan, in the current context. @param tell  hears what comes next, and the rows so
 /// far; false ends the run, with the rows that there are.
 Result<std::vector<BakeRow>>
-runBakePlan(const BakePlan& plan, const ProcAddressLoader& loader,
+runBakePlan(const BakePlan& plan, const BakeMemory& memory, const ProcAddressLoader& loader,
             const std::function<bool(const std::string& next, double done)>& tell);
 
 } // namespace aolib::bench

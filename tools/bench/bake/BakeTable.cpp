@@ -2,7 +2,9 @@
 
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <map>
+#include <sstream>
 #include <utility>
 
 #include "bench/CsvLine.h"
@@ -17,18 +19,33 @@ std::string fixed(double value, int decimals) {
     return text.data();
 }
 
+bool parseMethod(const std::string& name, BakeMethodName& method) {
+    for (const BakeMethodName known :
+         {BakeMethodName::Rays, BakeMethodName::Scatter, BakeMethodName::ScatterUnstretched,
+          BakeMethodName::Shadow}) {
+        if (name == bakeMethodName(known)) {
+            method = known;
+            return true;
+        }
+    }
+    return false;
+}
+
 } // namespace
 
 std::string bakeCsv(const std::vector<BakeRow>& rows) {
-    std::string text = "mesh,triangles,method,samples,seconds,rmse_inside,rmse_seams,bias,"
-                       "bent_normal_degrees,texels\n";
+    std::string text =
+        "mesh,triangles,map,method,samples,seconds,processor_seconds,rmse_inside,rmse_seams,bias,"
+        "bent_normal_degrees,texels\n";
     for (const BakeRow& row : rows) {
         text += CsvLine()
                     .add(row.mesh)
                     .add(row.triangles)
+                    .add(row.mapSize)
                     .add(bakeMethodName(row.method))
                     .add(row.samples)
                     .add(row.seconds)
+                    .add(row.processor)
                     .add(row.errors.inside)
                     .add(row.errors.seams)
                     .add(row.errors.bias)
@@ -40,15 +57,44 @@ std::string bakeCsv(const std::vector<BakeRow>& rows) {
 }
 
 std::string bakeMarkdown(const std::vector<BakeRow>& rows) {
-    std::string text = "| mesh | triangles | method | samples | seconds | RMSE inside | RMSE at "
-                       "seams | bent normal |\n|---|---|---|---|---|---|---|---|\n";
+    std::string text =
+        "| mesh | triangles | map | method | samples | seconds | of processor time | "
+        "RMSE inside | RMSE at seams | bent normal |\n"
+        "|---|---|---|---|---|---|---|---|---|---|\n";
     for (const BakeRow& row : rows) {
         text += "| " + row.mesh + " | " + std::to_string(row.triangles) + " | " +
-                bakeMethodName(row.method) + " | " + std::to_string(row.samples) + " | " +
-                fixed(row.seconds, 1) + " | " + fixed(row.errors.inside, 4) + " | " +
+                std::to_string(row.mapSize) + "^2 | " + bakeMethodName(row.method) + " | " +
+                std::to_string(row.samples) + " | " + fixed(row.seconds, 1) + " | " +
+                fixed(row.processor, 1) + " | " + fixed(row.errors.inside, 4) + " | " +
                 fixed(row.errors.seams, 4) + " | " + fixed(row.errors.bentAngle, 1) + "° |\n";
     }
     return text;
+}
+
+std::vector<BakeRow> rowsOfBakeCsv(const std::string& text) {
+    std::vector<BakeRow> rows;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream fields(line);
+        std::vector<std::string> values;
+        for (std::string value; std::getline(fields, value, ',');) {
+            values.push_back(value);
+        }
+        BakeRow row;
+        const auto number = [&](std::size_t i) { return std::strtod(values[i].c_str(), nullptr); };
+        if (values.size() != 12 || !parseMethod(values[3], row.method)) {
+            continue;
+        }
+        row.mesh = values[0];
+        row.triangles = static_cast<std::size_t>(number(1));
+        row.mapSize = static_cast<int>(number(2));
+        row.samples = static_cast<int>(number(4));
+        row.seconds = number(5);
+        row.processor = number(6);
+        row.errors = {number(7), number(8), number(9), number(10), static_cast<int>(number(11))};
+        rows.push_back(std::move(row));
+    }
+    return rows;
 }
 
 Plot bakePlot(const std::vector<BakeRow>& rows, const std::string& subtitle) {
@@ -60,10 +106,10 @@ Plot bakePlot(const std::vector<BakeRow>& rows, const std::string& subtitle) {
         Curve& curve = curves[{method, row.samples}];
         curve.name = std::string(bakeMethodName(row.method)) + ", " + std::to_string(row.samples);
         curve.colour = colours[static_cast<std::size_t>(method)];
-        curve.points.push_back({double(row.triangles), row.seconds, ""});
+        curve.points.push_back({double(row.triangles), row.processor, ""});
     }
     Plot plot;
-    plot.title = "Time of a bake";
+    plot.title = "Processor time of a bake";
     plot.subtitle = subtitle;
     plot.x.title = "triangles";
     plot.y.title = "seconds";

@@ -10,6 +10,8 @@ namespace aolib::bench {
 
 /// All figures of all rows, comma-separated.
 std::string bakeCsv(const std::vector<BakeRow>& rows);
+/// The rows of such a text; lines that are none are left out.
+std::vector<BakeRow> rowsOfBakeCsv(const std::string& text);
 
 /// The rows as a table in Markdown, as docs/baking.md shows them.
 std::string bakeMarkdown(const std::vector<BakeRow>& rows);

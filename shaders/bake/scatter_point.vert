@@ -2,6 +2,7 @@
 // Stage 2: each pixel of stage 1 is a point, read where its number says.
 uniform sampler2D uSurface; // place in the target, texels; facet, 0 for none; weight
 uniform sampler2D uSize;    // least sides of the point, texels
+uniform int uWidth;         // of the part of the picture that is used, pixels
 uniform vec2 uTargetSize;   // texels
 uniform float uPointSize;   // texels; 0: the nearest texel gets all
 
@@ -11,8 +12,7 @@ flat out float vFacet;
 flat out vec2 vSides;
 
 void main() {
-    int width = textureSize(uSurface, 0).x;
-    ivec2 pixel = ivec2(gl_VertexID % width, gl_VertexID / width);
+    ivec2 pixel = ivec2(gl_VertexID % uWidth, gl_VertexID / uWidth);
     vec4 point = texelFetch(uSurface, pixel, 0);
     vSides = max(vec2(uPointSize), texelFetch(uSize, pixel, 0).xy);
     vPlace = point.xy;

@@ -15,6 +15,7 @@
 #include "bake/MapFill.h"
 #include "bake/MapLoop.h"
 #include "bake/SurfaceSamples.h"
+#include "bake/TexelDensity.h"
 #include "gl/StateGuard.h"
 
 namespace aolib::bake {
@@ -23,14 +24,14 @@ namespace {
 
 /// Directions between two calls of the progress callback.
 constexpr int directionsAtOnce = 4;
-/// Pixels of stage 1's picture per texel that charts cover, when the size is derived. Of a convex
-/// model a direction sees half of the texels in more than half of the picture. With fewer, points
-/// are larger than texels where charts are laid out finer than on average.
-constexpr double pixelsPerTexel = 6.0;
+/// Stage 1's picture, when its size is derived: pixels along a texel that faces the light, where
+/// charts are laid out more finely than in this share of the maps, along the direction in which
+/// they are stretched most. Where texels are smaller yet, points are larger than they. Of fewer
+/// pixels the noise shows, more cost time.
+constexpr double pixelsAlongTexel = 1.25;
+constexpr double finelyShown = 0.9;
 constexpr int leastRaster = 128;
 constexpr int largestRaster = 4096;
-/// Texels of which less is covered, in shares of a texel, have too few points to say anything.
-constexpr float leastCoverage = 0.01F;
 
 } // namespace
 
@@ -39,15 +40,13 @@ struct ScatterBaker::Sums {
     std::vector<glm::vec4> coverage;
 };
 
-int ScatterBaker::rasterSize(const std::vector<TexelRaster>& rasters) const {
+int ScatterBaker::rasterSize(const glm::ivec2& mapSize) const {
     if (options_.rasterSize > 0) {
         return std::min(options_.rasterSize, gpu_.gl->capabilities.maxTextureSize);
     }
-    double covered = 0.0;
-    for (const TexelRaster& raster : rasters) {
-        covered += static_cast<double>(raster.coveredTexels());
-    }
-    const double size = std::sqrt(pixelsPerTexel * covered);
+    const double texels =
+        texelsAlongUnit(gpu_.geometry, gpu_.frame, glm::dvec2(mapSize), finelyShown);
+    const double size = pixelsAlongTexel * texels * double{ScatterPasses::pictureSide};
     return std::clamp((static_cast<int>(size) + 63) / 64 * 64, leastRaster,
                       std::min(largestRaster, gpu_.gl->capabilities.maxTextureSize));
 }
@@ -102,23 +101,20 @@ Result<ScatterBaker::Sums> ScatterBaker::sumStack(const ScatterPasses::Settings&
     return sums;
 }
 
-BakedMap ScatterBaker::mapOf(const TexelRaster& raster, const Sums& sums, std::size_t offset,
+BakedMap ScatterBaker::mapOf(const TexelRaster& raster, const TexelSums& own,
                              const MapOptions& options) const {
     BakedMap map = emptyMap(raster);
     const bool eroded = options_.seams == SeamFix::Erosion;
     const double norm = cosineNorm(options_.sky, options_.directions);
     for (std::size_t i = 0; i < raster.size(); ++i) {
-        const float covered = eroded ? 1.0F : sums.coverage[offset + i].w;
-        const bool counts = eroded ? raster.kind(i) == TexelKind::Inside
-                                   : raster.kind(i) != TexelKind::Empty && covered >= leastCoverage;
-        if (!counts) {
+        if (raster.kind(i) == TexelKind::Empty || (eroded && raster.kind(i) != TexelKind::Inside)) {
             continue;
         }
         const glm::vec2& b = raster.barycentric(i);
         const std::optional<SurfacePoint> point =
             gpu_.geometry.point(raster.triangle(i), double{b.x}, double{b.y});
         if (point) {
-            setTexel(map, i, sums.light[offset + i], norm / double{covered}, point->normal);
+            setTexel(map, i, eroded ? own.light[i] : lightPerCoverage(own, i), norm, point->normal);
         }
     }
     if (eroded) {
@@ -158,7 +154,7 @@ Result<std::vector<BakedMap>> ScatterBaker::bakeMaps(const MapOptions& options,
         return noTexels();
     }
     ScatterPasses::Settings settings;
-    settings.rasterSize = rasterSize(rasters);
+    settings.rasterSize = rasterSize({options.width, options.height});
     settings.pointSize = options_.pointSize;
     settings.density = options_.stretchCorrection ? 0.0F : density(rasters);
     settings.ground = gpu_.ground();
@@ -185,8 +181,13 @@ Result<std::vector<BakedMap>> ScatterBaker::bakeMaps(const MapOptions& options,
         }
         for (int i = 0; i < settings.stack.count; ++i) {
             const TexelRaster& raster = rasters[static_cast<std::size_t>(first + i)];
+            const std::size_t start = static_cast<std::size_t>(i) * raster.size();
             maps.push_back(
-                mapOf(raster, *sums, static_cast<std::size_t>(i) * raster.size(), options));
+                mapOf(raster,
+                      {settings.stack.mapSize, std::span(sums->light).subspan(start, raster.size()),
+                       std::span(sums->coverage).subspan(start, raster.size()),
+                       std::span(owners).subspan(start, raster.size())},
+                      options));
         }
     }
     if (progress) {

@@ -7,6 +7,7 @@
 #include "bake/GpuBake.h"
 #include "bake/ScatterPasses.h"
 #include "bake/TexelRaster.h"
+#include "bake/ThinTexels.h"
 
 namespace aolib::bake {
 
@@ -24,11 +25,11 @@ public:
 private:
     struct Sums;
 
-    int rasterSize(const std::vector<TexelRaster>& rasters) const;
+    int rasterSize(const glm::ivec2& mapSize) const;
     float density(const std::vector<TexelRaster>& rasters) const;
     Result<Sums> sumStack(const ScatterPasses::Settings& settings, const BakeVertices& vertices,
                           const std::vector<float>& facets, const BakeProgress& progress) const;
-    BakedMap mapOf(const TexelRaster& raster, const Sums& sums, std::size_t offset,
+    BakedMap mapOf(const TexelRaster& raster, const TexelSums& own,
                    const MapOptions& options) const;
 
     GpuBake gpu_;

@@ -26,10 +26,6 @@ constexpr std::uint32_t coverageSamples = 256;
 /// the system for each time, where they are many: a seventh of its time, with all in one call.
 constexpr int pointsAtOnce = 1024;
 
-/// A pixel's side across the light, of a picture of one pixel, frame units: pictures just hold the
-/// scene, whose bounding sphere's diameter is 2; most directions show less of a box.
-constexpr float pixelSide = 1.6F;
-
 // Of compatibility contexts, which the core header does not declare.
 constexpr GLenum pointSmooth = 0x0B10;
 
@@ -127,17 +123,19 @@ void ScatterPasses::setStack(gl::GLSLShader& shader) const {
     shader.set("uMapSize", glm::vec2(settings_.stack.mapSize));
     shader.set("uFirstMap", settings_.stack.first);
     shader.set("uMapCount", settings_.stack.count);
-    shader.set("uPixelSize", pixelSide / float(settings_.rasterSize));
+    shader.set("uPixelSize", pictureSide / float(settings_.rasterSize));
 }
 
 void ScatterPasses::addCoverage(const BakeVertices& vertices) {
     const gl::DebugGroup group(*gl_, "aolib/bake/coverage");
-    const int tile = settings_.rasterSize;
+    const int tile =
+        std::min(settings_.rasterSize, std::max(coverage_.width(), coverage_.height()));
     for (std::uint32_t i = 0; i < coverageSamples; ++i) {
         const glm::vec2 place = glm::vec2(bitReversed(i), bitReversed(sobolSecond(i))) * 0x1p-32F;
         for (int y = 0; y < coverage_.height(); y += tile) {
             for (int x = 0; x < coverage_.width(); x += tile) {
                 clearSurface();
+                gl_->Viewport(0, 0, tile, tile);
                 chartShader_.bind();
                 setStack(chartShader_);
                 // A pixel's centre is to lie at `place` in its texel.
@@ -145,7 +143,8 @@ void ScatterPasses::addCoverage(const BakeVertices& vertices) {
                 chartShader_.set("uTileSize", float(tile));
                 chartShader_.set("uSampleArea", 1.0F / float(coverageSamples));
                 vertices.draw();
-                scatter(coverage_, glm::vec3(0.0F), std::min(tile, coverage_.height() - y + 1));
+                scatter(coverage_, glm::vec3(0.0F),
+                        {tile, std::min(tile, coverage_.height() - y + 1)});
             }
         }
     }
@@ -165,12 +164,12 @@ void ScatterPasses::addDirection(const BakeVertices& vertices, const LightView& 
     surfaceShader_.set("uDensity", settings_.density);
     vertices.draw();
     gl_->Disable(GL_DEPTH_TEST);
-    scatter(sums_, glm::vec3(view.direction), settings_.rasterSize);
+    scatter(sums_, glm::vec3(view.direction), glm::ivec2(settings_.rasterSize));
 }
 
-/// Stage 2: adds what lies in the lowest rows of the picture of stage 1 to a target.
+/// Stage 2: adds what lies in the lower left of the picture of stage 1 to a target.
 void ScatterPasses::scatter(const gl::RenderToTexture2D& target, const glm::vec3& direction,
-                            int rows) {
+                            const glm::ivec2& size) {
     const ShaderPoints points(*gl_);
     target.begin(0);
     surface_.bindTexture(0, 0);
@@ -185,7 +184,8 @@ void ScatterPasses::scatter(const gl::RenderToTexture2D& target, const glm::vec3
     pointShader_.set("uDirection", direction);
     gl_->Enablei(GL_BLEND, 0);
     gl_->BlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
-    const int count = settings_.rasterSize * rows;
+    pointShader_.set("uWidth", size.x);
+    const int count = size.x * size.y;
     for (int first = 0; first < count; first += pointsAtOnce) {
         points_.drawGenerated(GL_POINTS, std::min(pointsAtOnce, count - first), first);
     }

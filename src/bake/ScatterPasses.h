@@ -36,6 +36,10 @@ public:
         glm::vec4 ground{0.0F}; ///< up and height in the frame; up 0 for none
     };
 
+    /// A picture's side, frame units: it just holds the scene, whose bounding sphere's diameter is
+    /// 2; most directions show less of a box.
+    static constexpr float pictureSide = 1.6F;
+
     ScatterPasses() = default;
     /// @param facets  per texel of the stack, from the bottom. Errors: ShaderError,
     /// MissingCapability, OutOfMemory.
@@ -56,7 +60,8 @@ private:
     void setStack(gl::GLSLShader& shader) const;
     void clear(const gl::RenderToTexture2D& target) const;
     void clearSurface() const;
-    void scatter(const gl::RenderToTexture2D& target, const glm::vec3& direction, int rows);
+    void scatter(const gl::RenderToTexture2D& target, const glm::vec3& direction,
+                 const glm::ivec2& size);
     std::vector<glm::vec4> read(const gl::RenderToTexture2D& target) const;
 
     const gl::Functions* gl_ = nullptr;

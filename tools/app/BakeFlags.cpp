@@ -14,14 +14,16 @@ void attachOutputs(BakeFlags& flags, CLI::App& command) {
         ->type_name("FILE")
         ->group(group);
     command
-        .add_option("--ao", flags.ao,
-                    "the map by itself, .png or .pfm; with several maps -NAME is put before the "
-                    "extension")
+        .add_option(
+            "--ao", flags.ao,
+            "the map by itself, .png, .pfm or .exr; with several maps -NAME is put before the "
+            "extension")
         ->type_name("FILE")
         ->group(group);
     command
         .add_option("--bent-normals", flags.bentNormals,
-                    "mean open directions in world space as a map, .png (n * 0.5 + 0.5) or .pfm")
+                    "mean open directions in world space as a map, .png (n * 0.5 + 0.5), "
+                    ".pfm or .exr")
         ->type_name("FILE")
         ->group(group);
     addChoice<int>(

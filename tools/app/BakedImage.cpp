@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "image/Exr.h"
 #include "image/Png16.h"
 
 namespace aolib::app {
@@ -29,7 +30,7 @@ BakedImage directionImage(const bake::BakedMap& map) {
 }
 
 const std::vector<std::string>& bakedImageExtensions() {
-    static const std::vector<std::string> extensions{".png", ".pfm"};
+    static const std::vector<std::string> extensions{".png", ".pfm", ".exr"};
     return extensions;
 }
 
@@ -50,6 +51,8 @@ std::vector<std::uint8_t> encodedPng(const BakedImage& image, int bits) {
 void putImage(OutputFiles& files, const std::filesystem::path& file, BakedImage image, int bits) {
     if (file.extension() == ".pfm") {
         files.put(file, std::move(image.values));
+    } else if (file.extension() == ".exr") {
+        files.put(file, encodedExr(image.values));
     } else {
         files.put(file, encodedPng(image, bits));
     }

@@ -67,6 +67,14 @@ TEST_F(BakeCommandTest, ATextureGoesIntoTheMaterialAndIntoFiles) {
     EXPECT_GT(bent->at(32, 62, 1), 240) << "the upper pole's points up";
 }
 
+TEST_F(BakeCommandTest, MapsMayBeExr) {
+    expectDone({"bake", "uv-box", "--ao", "ao.exr", "--bent-normals", "bent.exr", "--size", "16",
+                "--rays", "4"});
+    EXPECT_EQ(bytesOf("ao.exr").substr(0, 4), "\x76\x2f\x31\x01");
+    // Three floats a texel, a number and a size per row.
+    EXPECT_GT(bytesOf("bent.exr").size(), 16U * (16U * 12U + 16U));
+}
+
 TEST_F(BakeCommandTest, SixteenBitsAreWrittenWhenAskedFor) {
     expectDone({"bake", "uv-box", "--ao", "ao.png", "--size", "16", "--rays", "4", "--bits", "16"});
     EXPECT_EQ(bytesOf("ao.png")[24], 16);

@@ -24,6 +24,9 @@ namespace {
 
 /// Directions between two calls of the progress callback.
 constexpr int directionsAtOnce = 4;
+/// Places per texel from which coverage is summed: a quarter of the directions, within these.
+constexpr int fewestPlaces = 16;
+constexpr int mostPlaces = 256;
 /// Stage 1's picture, when its size is derived: pixels along a texel that faces the light, where
 /// charts are laid out more finely than in this share of the maps, along the direction in which
 /// they are stretched most. Where texels are smaller yet, points are larger than they. Of fewer
@@ -65,22 +68,38 @@ float ScatterBaker::density(const std::vector<TexelRaster>& rasters) const {
     return static_cast<float>(texels / (area * scale * scale));
 }
 
+Result<ScatterPasses> ScatterBaker::passesFor(const ScatterPasses::Settings& settings,
+                                              const std::vector<float>& facets) const {
+    const gl::StateGuard guard(*gpu_.gl);
+    return ScatterPasses::create(*gpu_.gl, settings, facets);
+}
+
+Status ScatterBaker::addCoverage(ScatterPasses& passes, const BakeVertices& vertices, int places,
+                                 const BakeProgress& progress) const {
+    for (int first = 0; first < places; first += directionsAtOnce) {
+        if (!progress(double(first) / double(places))) {
+            return cancelledBake();
+        }
+        const gl::StateGuard guard(*gpu_.gl);
+        passes.addCoverage(vertices, first, std::min(first + directionsAtOnce, places), places);
+        gpu_.gl->Finish();
+    }
+    return {};
+}
+
 Result<ScatterBaker::Sums> ScatterBaker::sumStack(const ScatterPasses::Settings& settings,
                                                   const BakeVertices& vertices,
                                                   const std::vector<float>& facets,
                                                   const BakeProgress& progress) const {
-    const gl::Functions& gl = *gpu_.gl;
-    Sums sums;
-    ScatterPasses passes;
-    {
-        const gl::StateGuard guard(gl);
-        Result<ScatterPasses> made = ScatterPasses::create(gl, settings, facets);
-        if (!made) {
-            return made.status();
-        }
-        passes = std::move(*made);
-        passes.addCoverage(vertices);
-        sums.coverage = passes.coverage();
+    Result<ScatterPasses> passes = passesFor(settings, facets);
+    if (!passes) {
+        return passes.status();
+    }
+    const int places = std::clamp(options_.directions / 4, fewestPlaces, mostPlaces);
+    const double all = double(places) + double(options_.directions);
+    const auto before = [&](double share) { return progress(share * places / all); };
+    if (Status status = addCoverage(*passes, vertices, places, before); !status) {
+        return status;
     }
     DirectionPlan plan;
     plan.last = options_.directions;
@@ -90,15 +109,17 @@ Result<ScatterBaker::Sums> ScatterBaker::sumStack(const ScatterPasses::Settings&
     plan.seed = options_.seed;
     const auto add = [&](std::span<const LightView> views) {
         for (const LightView& view : views) {
-            passes.addDirection(vertices, view);
+            passes->addDirection(vertices, view);
         }
     };
-    if (Status status = gpu_.addDirections(plan, progress, add); !status) {
+    const auto after = [&](double share) {
+        return progress((places + share * options_.directions) / all);
+    };
+    if (Status status = gpu_.addDirections(plan, after, add); !status) {
         return status;
     }
-    const gl::StateGuard guard(gl);
-    sums.light = passes.sums();
-    return sums;
+    const gl::StateGuard guard(*gpu_.gl);
+    return Sums{passes->sums(), passes->coverage()};
 }
 
 BakedMap ScatterBaker::mapOf(const TexelRaster& raster, const TexelSums& own,

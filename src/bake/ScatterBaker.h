@@ -27,6 +27,10 @@ private:
 
     int rasterSize(const glm::ivec2& mapSize) const;
     float density(const std::vector<TexelRaster>& rasters) const;
+    Result<ScatterPasses> passesFor(const ScatterPasses::Settings& settings,
+                                    const std::vector<float>& facets) const;
+    Status addCoverage(ScatterPasses& passes, const BakeVertices& vertices, int places,
+                       const BakeProgress& progress) const;
     Result<Sums> sumStack(const ScatterPasses::Settings& settings, const BakeVertices& vertices,
                           const std::vector<float>& facets, const BakeProgress& progress) const;
     BakedMap mapOf(const TexelRaster& raster, const TexelSums& own,

@@ -17,11 +17,6 @@ namespace {
 using Format = gl::RenderToTexture2D::Format;
 using Depth = gl::RenderToTexture2D::Depth;
 
-/// Points per texel when coverage is summed: Sobol's, whose projections onto both axes are evenly
-/// spaced. So a texel that is covered as a whole has an exact sum, and one that a border along an
-/// axis cuts is off by less than 1 / 256.
-constexpr std::uint32_t coverageSamples = 256;
-
 /// Points per draw call. A software rasteriser keeps the vertices of a call in memory that it asks
 /// the system for each time, where they are many: a seventh of its time, with all in one call.
 constexpr int pointsAtOnce = 1024;
@@ -126,11 +121,14 @@ void ScatterPasses::setStack(gl::GLSLShader& shader) const {
     shader.set("uPixelSize", pictureSide / float(settings_.rasterSize));
 }
 
-void ScatterPasses::addCoverage(const BakeVertices& vertices) {
+// Places are Sobol's, whose projections onto both axes are evenly spaced. So a texel that is
+// covered as a whole has an exact sum, and one that a border along an axis cuts is off by less than
+// 1 / count.
+void ScatterPasses::addCoverage(const BakeVertices& vertices, int first, int last, int count) {
     const gl::DebugGroup group(*gl_, "aolib/bake/coverage");
     const int tile =
         std::min(settings_.rasterSize, std::max(coverage_.width(), coverage_.height()));
-    for (std::uint32_t i = 0; i < coverageSamples; ++i) {
+    for (auto i = static_cast<std::uint32_t>(first); i < static_cast<std::uint32_t>(last); ++i) {
         const glm::vec2 place = glm::vec2(bitReversed(i), bitReversed(sobolSecond(i))) * 0x1p-32F;
         for (int y = 0; y < coverage_.height(); y += tile) {
             for (int x = 0; x < coverage_.width(); x += tile) {
@@ -141,7 +139,7 @@ void ScatterPasses::addCoverage(const BakeVertices& vertices) {
                 // A pixel's centre is to lie at `place` in its texel.
                 chartShader_.set("uTileOrigin", glm::vec2(x, y) + place - 0.5F);
                 chartShader_.set("uTileSize", float(tile));
-                chartShader_.set("uSampleArea", 1.0F / float(coverageSamples));
+                chartShader_.set("uSampleArea", 1.0F / float(count));
                 vertices.draw();
                 scatter(coverage_, glm::vec3(0.0F),
                         {tile, std::min(tile, coverage_.height() - y + 1)});

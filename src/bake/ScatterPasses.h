@@ -46,8 +46,9 @@ public:
     static Result<ScatterPasses> create(const gl::Functions& gl, const Settings& settings,
                                         const std::vector<float>& facets);
 
-    /// Sums what of each texel charts cover, spread as points are.
-    void addCoverage(const BakeVertices& vertices);
+    /// Sums what of each texel charts cover, spread as points are: adds places `first` to `last` -
+    /// 1 of `count` in each texel.
+    void addCoverage(const BakeVertices& vertices, int first, int last, int count);
     /// Sums the light of one direction.
     void addDirection(const BakeVertices& vertices, const LightView& view);
 

@@ -3,8 +3,10 @@
 #include <csignal>
 #include <cstring>
 #include <thread>
+#include <utility>
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -41,6 +43,41 @@ protected:
         std::uint32_t length = 0;
         std::memcpy(&length, &bytes.at(12), 4);
         return Json::parse(bytes.substr(20, length));
+    }
+    /// Runs the program within a limit of the system's. Gives its exit code and what it said.
+    std::pair<int, std::string> runLimited(int resource, rlim_t limit,
+                                           std::vector<std::string> arguments) const {
+        int ends[2] = {};
+        EXPECT_EQ(pipe(ends), 0);
+        const pid_t child = fork();
+        if (child == 0) {
+            const rlimit both{limit, limit};
+            std::signal(SIGXFSZ, SIG_IGN);
+            dup2(ends[1], STDOUT_FILENO);
+            dup2(ends[1], STDERR_FILENO);
+            close(ends[0]);
+            close(ends[1]);
+            std::vector<char*> words{const_cast<char*>(AOLIB_PROGRAM)};
+            for (std::string& argument : arguments) {
+                words.push_back(argument.data());
+            }
+            words.push_back(nullptr);
+            if (chdir(path(".").c_str()) == 0 && setrlimit(resource, &both) == 0) {
+                execv(AOLIB_PROGRAM, words.data());
+            }
+            _exit(127);
+        }
+        close(ends[1]);
+        std::string said;
+        char buffer[512];
+        for (ssize_t n = read(ends[0], buffer, sizeof(buffer)); n > 0;
+             n = read(ends[0], buffer, sizeof(buffer))) {
+            said.append(buffer, static_cast<std::size_t>(n));
+        }
+        close(ends[0]);
+        int status = 0;
+        EXPECT_EQ(waitpid(child, &status, 0), child);
+        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, said};
     }
     /// The middle of a map's part, given in shares of its sides.
     static float at(const FloatImage& map, float u, float v) {
@@ -186,6 +223,28 @@ TEST_F(BakeCommandTest, CtrlCLeavesNothingBehind) {
     ASSERT_EQ(waitpid(child, &status, 0), child);
     EXPECT_TRUE(WIFEXITED(status)) << "it was killed and had no chance to clean up";
     EXPECT_EQ(WEXITSTATUS(status), 1);
+    EXPECT_EQ(names(), std::vector<std::string>());
+}
+
+#if !defined(__SANITIZE_ADDRESS__) // which maps more than any limit
+TEST_F(BakeCommandTest, WithoutMemoryNothingIsWrittenAndASentenceSaysSo) {
+    for (const char* method : {"rays", "scatter", "shadow"}) {
+        const auto [code, said] = runLimited(
+            RLIMIT_AS, rlim_t{1500} << 20U,
+            {"bake", "uv-shapes", "-o", "out.glb", "--size", "16384", "--method", method});
+        EXPECT_EQ(code, 1) << method;
+        EXPECT_NE(said.find("no memory left"), std::string::npos) << said;
+        EXPECT_EQ(names(), std::vector<std::string>()) << method;
+    }
+}
+#endif
+
+TEST_F(BakeCommandTest, AFullDiskLeavesNothingBehind) {
+    const auto [code, said] = runLimited(
+        RLIMIT_FSIZE, 2048,
+        {"bake", "uv-shapes", "-o", "out.glb", "--ao", "ao.png", "--size", "128", "--rays", "2"});
+    EXPECT_EQ(code, 1);
+    EXPECT_NE(said.find("cannot be written"), std::string::npos) << said;
     EXPECT_EQ(names(), std::vector<std::string>());
 }
 

@@ -29,15 +29,18 @@ function(aolib_install_pkg_config name)
         COMPONENT development)
 endfunction()
 
-# An optional component that works with Embree: the target aolib_<component> as aolib::<component>,
+# An optional component: the target aolib_<component> as aolib::<component>,
 # found by find_package(aolib COMPONENTS <component>) or pkg-config aolib-<component>.
 function(aolib_install_component component description)
     set(target aolib_${component})
     set_target_properties(${target} PROPERTIES EXPORT_NAME ${component} INSTALL_RPATH "$ORIGIN")
     # What a static component is linked with, after itself.
     set(component_libs "")
+    get_target_property(linked ${target} LINK_LIBRARIES)
     if(aolib_type STREQUAL STATIC_LIBRARY)
-        set(component_libs " -lembree${embree_VERSION_MAJOR} -lpthread")
+        if("embree" IN_LIST linked)
+            set(component_libs " -lembree${embree_VERSION_MAJOR} -lpthread")
+        endif()
         string(TOUPPER ${target} upper)
         string(APPEND aolib_pc_cflags " -D${upper}_STATIC_DEFINE")
     endif()
@@ -64,7 +67,8 @@ endif()
 aolib_install_library(aolib aolibTargets)
 aolib_install_pkg_config(aolib)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/aolib DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-    COMPONENT development PATTERN RayTracing.h EXCLUDE PATTERN bake EXCLUDE)
+    COMPONENT development PATTERN RayTracing.h EXCLUDE PATTERN bake EXCLUDE
+    PATTERN lighting EXCLUDE)
 install(FILES ${PROJECT_BINARY_DIR}/include/aolib/Export.h
     DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/aolib COMPONENT development)
 
@@ -77,6 +81,13 @@ if(TARGET aolib_bake AND AOLIB_WITH_BAKE)
     aolib_install_component(bake "Maps and vertices of models, baked by rays"
         ${PROJECT_BINARY_DIR}/include/aolib/BakeExport.h)
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/aolib/bake
+        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/aolib COMPONENT development)
+endif()
+
+if(TARGET aolib_lighting AND AOLIB_WITH_LIGHTING)
+    aolib_install_component(lighting "Light from environment maps by baked accessibility"
+        ${PROJECT_BINARY_DIR}/include/aolib/LightingExport.h)
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/aolib/lighting
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/aolib COMPONENT development)
 endif()
 

@@ -53,6 +53,7 @@ mark_as_advanced(AOLIB_DPKG_SHLIBDEPS)
 if(AOLIB_DPKG_SHLIBDEPS)
     set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
     set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS
-        ${PROJECT_BINARY_DIR}/src ${PROJECT_BINARY_DIR}/src/raytracing ${PROJECT_BINARY_DIR}/src/bake)
+        ${PROJECT_BINARY_DIR}/src ${PROJECT_BINARY_DIR}/src/raytracing ${PROJECT_BINARY_DIR}/src/bake
+        ${PROJECT_BINARY_DIR}/src/lighting)
 endif()
 include(CPack)

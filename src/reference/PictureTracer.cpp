@@ -122,6 +122,7 @@ void PixelTracer::trace(std::size_t pixel, Picture& picture) const {
         picture.depth[pixel] = static_cast<float>(-eye.z);
         picture.position[pixel] = glm::vec3(hit->position);
         picture.normal[pixel] = glm::vec3(normal);
+        picture.triangle[pixel] = hit->triangle;
     }
 }
 
@@ -147,6 +148,7 @@ Result<Picture> tracePicture(const RayScene& scene, const PictureCamera& camera,
         picture.depth.assign(pixels, -1.0F);
         picture.position.assign(pixels, glm::vec3(0.0F));
         picture.normal.assign(pixels, glm::vec3(0.0F));
+        picture.triangle.assign(pixels, 0);
     }
     const PixelTracer pixelTracer(*tracer, camera, settings.normals);
     const auto body = [&](std::size_t begin, std::size_t end) {

@@ -29,20 +29,21 @@ enum class NormalSource : std::uint8_t {
 struct PictureSettings {
     TraceSettings trace;
     NormalSource normals = NormalSource::Geometric;
-    bool surfaces = false; ///< also fill depth, position and normal
+    bool surfaces = false; ///< also fill depth, position, normal and triangle
 };
 
 /// A traced picture. Row 0 is the bottom row; index `y * width + x`.
 struct Picture {
     int width = 0;
     int height = 0;
-    std::vector<float> visibility;    ///< W; background -1
-    std::vector<float> standardError; ///< of each W; background -1
-    std::vector<float> depth;         ///< along the viewing axis, world units; background -1
-    std::vector<glm::vec3> position;  ///< world units; background 0
-    std::vector<glm::vec3> normal;    ///< that W is about, unit length; background 0
-    double noise = 0.0;               ///< expected RMSE of W from sampling, see VisibilityTracer
-    bool complete = false;            ///< false when cancelled; pixels not reached are background
+    std::vector<float> visibility;       ///< W; background -1
+    std::vector<float> standardError;    ///< of each W; background -1
+    std::vector<float> depth;            ///< along the viewing axis, world units; background -1
+    std::vector<glm::vec3> position;     ///< world units; background 0
+    std::vector<glm::vec3> normal;       ///< that W is about, unit length; background 0
+    std::vector<std::uint32_t> triangle; ///< of the mesh; background 0
+    double noise = 0.0;                  ///< expected RMSE of W from sampling, see VisibilityTracer
+    bool complete = false; ///< false when cancelled; pixels not reached are background
 };
 
 /// Traces W at the centre of every pixel. What lies before the near or behind the far plane is not

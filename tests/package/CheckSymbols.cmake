@@ -1,6 +1,6 @@
 # The shared libraries below PREFIX give away the public classes alone, under versioned names.
 cmake_minimum_required(VERSION 3.22)
-foreach(name aolib aolib_raytracing aolib_bake)
+foreach(name aolib aolib_raytracing aolib_bake aolib_lighting)
     file(GLOB_RECURSE library ${PREFIX}/*/lib${name}.so)
     if(NOT library)
         continue()

@@ -1,6 +1,7 @@
 #include "app/Commands.h"
 
 #include "app/BenchBake.h"
+#include "app/BenchEnvironment.h"
 #include "app/BenchPareto.h"
 #include "app/BenchThesis.h"
 
@@ -10,13 +11,15 @@ void addBenchCommand(CLI::App& program, MaybeFailure& failure) {
     CLI::App* bench = program.add_subcommand("bench", "measure error and cost, ours and others'");
     bench->require_subcommand(1);
     addBenchBake(*bench, failure);
+    addBenchEnvironment(*bench, failure);
     addBenchPareto(*bench, failure);
     addBenchThesis(*bench, failure);
     bench->footer("Examples:\n"
                   "  aolib bench pareto --list\n"
                   "  aolib bench pareto --quick --scene town --method 'layered-*'\n"
                   "  aolib bench thesis --scene bunny\n"
-                  "  aolib bench bake --quick");
+                  "  aolib bench bake --quick\n"
+                  "  aolib bench environment --quick");
 }
 
 } // namespace aolib::app

@@ -7,6 +7,7 @@
 
 #include "app/Comparison.h"
 #include "app/GlSession.h"
+#include "app/LitRender.h"
 #include "app/NumberFlags.h"
 #include "app/OptionFlags.h"
 #include "app/Progress.h"
@@ -28,6 +29,7 @@ struct RenderFlags {
     OptionFlags options;
     GlFlags gl;
     RenderOutputs outputs;
+    LitFlags lit;
     std::vector<glm::vec3> cubeMaps;
     int frames = 3;
     int samples = 0;
@@ -70,6 +72,9 @@ void report(const std::string& device, const View& view, const RenderJob& job,
 }
 
 MaybeFailure run(RenderFlags& flags) {
+    if (flags.lit.given()) {
+        return renderLit(flags.lit, flags.view, flags.gl);
+    }
     const bool withTruth = flags.rays.has_value() || flags.outputs.needTruth();
     if (MaybeFailure failure = flags.outputs.announce(withTruth)) {
         return failure;
@@ -124,6 +129,7 @@ void addRenderCommand(CLI::App& program, MaybeFailure& failure) {
     flags->view.attach(*command);
     flags->options.attach(*command);
     flags->outputs.attach(*command);
+    flags->lit.attach(*command);
     flags->gl.attach(*command);
     addVector(
         *command, "--cube-map",
@@ -151,6 +157,7 @@ void addRenderCommand(CLI::App& program, MaybeFailure& failure) {
         "  aolib render room --camera corner --debug quality=quality.png\n"
         "  aolib render town --cube-map 0,3,0 --cube-map 8,3,-4 --ao w.pfm\n"
         "  aolib render --case case.json --ao w.pfm --truth-rays 256\n"
+        "  aolib render town --environment sunny --lit town.png\n"
         "Without --estimator: ray-traced, or layered-intervals in screen space and for the model's "
         "own normals.\n"
         "Times are wall clock, with the GPU's work done; the median of several frames.");

@@ -9,5 +9,12 @@ extern const std::string_view surfaceVertexShader;
 extern const std::string_view surfaceFragmentShader;
 extern const std::string_view skyVertexShader;
 extern const std::string_view skyFragmentShader;
+// Without a `#version` line: environmentShader() comes before litFragmentShader and
+// litSkyFragmentShader.
+extern const std::string_view litVertexShader;
+extern const std::string_view litFragmentShader;
+extern const std::string_view litSkyFragmentShader;
+extern const std::string_view sunDepthVertexShader;
+extern const std::string_view sunDepthFragmentShader;
 
 } // namespace aolib::host

@@ -30,6 +30,7 @@ forbid(src/backbone "\"(platform|raytracing|reference|bake)/" "backbones know sc
 forbid(src/raytracing "\"(gl|backbone|platform|reference|bake)/" "rays know the scene alone")
 forbid(src/reference "\"(gl|backbone|platform|bake)/" "the truth knows the scene and rays alone")
 forbid(src/bake "\"(backbone|platform)/" "bakers know the scene, gl, rays and the truth alone")
+forbid(src/lighting "\"(scene|backbone|platform|raytracing|reference|bake)/" "light knows gl alone")
 forbid(src/platform "\"(gl|scene|backbone|raytracing|reference|bake)/" "contexts know nothing of the library's rooms")
 forbid(src/backbone/screenspace "\"backbone/cubemapped/" "one backbone does not know another")
 forbid(src/backbone/cubemapped "\"backbone/screenspace/" "one backbone does not know another")

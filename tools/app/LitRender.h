@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "app/GlSession.h"
+#include "app/Outcome.h"
+#include "app/Progress.h"
+#include "app/ViewFlags.h"
+#include "host/LitRenderer.h"
+
+namespace aolib::app {
+
+/// The flags of "aolib render" that light a scene by an environment instead.
+struct LitFlags {
+    std::string environment; ///< empty: none
+    host::LitMethod method = host::LitMethod::ConeAndSun;
+    double turn = 0.0;     ///< degrees about +Y
+    double exposure = 0.0; ///< per unit of radiance; 0: by the picture
+    int rays = 256;        ///< per vertex
+    int truthRays = 1024;  ///< per pixel
+    std::string picture;
+    std::string truth;
+
+    /// Adds the flags to a command. The object must outlive it.
+    void attach(CLI::App& command);
+    bool given() const { return !environment.empty(); }
+};
+
+/// Bakes a scene's vertices, draws it under the environment, writes and prints what was asked for.
+MaybeFailure renderLit(const LitFlags& flags, const ViewFlags& view, const GlFlags& gl);
+
+} // namespace aolib::app

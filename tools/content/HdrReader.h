@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include <aolib/lighting/EnvironmentMap.h>
+
+#include "content/Loaded.h"
+
+namespace aolib {
+
+/// An environment from the bytes of a Radiance file (.hdr, .pic; RGBE). `file` names it in
+/// messages. Fails with a sentence on what is none, is cut off, or is beyond 16384 texels a side.
+Loaded<lighting::EnvironmentMap> readHdr(std::string_view bytes, const std::filesystem::path& file);
+
+} // namespace aolib

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 
 #include <aolib/bake/AbstractBaker.h>
@@ -9,7 +11,8 @@
 
 namespace aolib::app {
 
-/// What baked values go to: a model's textures or its vertices. Called once each, in this order.
+/// What baked values go to: a model's textures, its vertices, or its vertices in several poses.
+/// Called in this order: prepare(), then beginRound() and bake() for each round, then put().
 class AbstractBakeDestination {
 public:
     AbstractBakeDestination() = default;
@@ -19,6 +22,10 @@ public:
 
     /// Readies the model and announces files of its own, before the long work. Errors: BadInput.
     virtual MaybeFailure prepare(OutputFiles& files) = 0;
+    /// How many bakes it takes.
+    virtual std::size_t rounds() const { return 1; }
+    /// Moves the model to what the next bake is of. Errors: BadInput.
+    virtual MaybeFailure beginRound(std::size_t /*round*/) { return std::nullopt; }
     /// Errors: the baker's.
     virtual Status bake(bake::AbstractBaker& baker, const bake::BakeProgress& progress) = 0;
     /// Puts the values into the model and into files. Gives a table for people.

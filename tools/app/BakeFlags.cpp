@@ -1,5 +1,7 @@
 #include "app/BakeFlags.h"
 
+#include <sstream>
+
 #include "app/NumberFlags.h"
 
 namespace aolib::app {
@@ -232,6 +234,39 @@ void attachShadow(BakeFlags& flags, CLI::App& command) {
         ->group(group);
 }
 
+void attachPoses(BakeFlags& flags, CLI::App& command) {
+    const char* const group = "Poses";
+    const auto takeTimes = [&flags](const std::string& text) {
+        flags.poses.clear();
+        std::istringstream parts(text);
+        for (std::string part; std::getline(parts, part, ',');) {
+            const std::optional<double> time = parseNumber(part);
+            if (!time || *time < 0.0 || *time > 1e6 ||
+                (!flags.poses.empty() && static_cast<float>(*time) <= flags.poses.back())) {
+                flags.poses.clear();
+                break;
+            }
+            flags.poses.push_back(static_cast<float>(*time));
+        }
+        if (flags.poses.empty()) {
+            throw CLI::ValidationError("--poses " + text +
+                                       ": growing times such as 0,0.5,1 are needed");
+        }
+    };
+    command
+        .add_option_function<std::string>(
+            "--poses", takeTimes,
+            "vertices: bake the model at these times of its animation, seconds, as _AO_0, _AO_1, "
+            "...")
+        ->type_name("T0,T1,...")
+        ->group(group);
+    addWholeNumber(
+        command, "--animation", 0, 100000, [&flags](int number) { flags.animation = number; },
+        "which one, by its number in the file")
+        ->default_str("0")
+        ->group(group);
+}
+
 } // namespace
 
 void BakeFlags::attach(CLI::App& command) {
@@ -250,6 +285,7 @@ void BakeFlags::attach(CLI::App& command) {
         command, "--target", {{"texture", BakeTarget::Texture}, {"vertex", BakeTarget::Vertex}},
         [this](BakeTarget value) { target = value; }, "what the occlusion goes to")
         ->default_str("texture");
+    attachPoses(*this, command);
     attachOutputs(*this, command);
     attachMaps(*this, command);
     attachLight(*this, command);

@@ -37,6 +37,8 @@ struct BakeFlags {
     bake::MapOptions map;
     bake::VertexOptions vertices;
     GlFlags gl;
+    std::vector<float> poses; ///< times of the animation, seconds; none: the model at rest
+    int animation = 0;
     bool ground = false;
     std::optional<double> groundHeight; ///< none: below the model
 

@@ -1,5 +1,6 @@
 #include "app/BakeInput.h"
 
+#include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "content/GltfReader.h"
 #include "content/ModelFile.h"
 #include "content/SceneSource.h"
+#include "content/generated/AnimatedModels.h"
 
 namespace aolib::app {
 
@@ -34,6 +36,10 @@ Loaded<std::string> gltfBytes(const std::string& nameOrPath) {
     };
     if (const UvMesh shape = uvShape(nameOrPath); !shape.indices.empty()) {
         return packed(gltfOf(shape, nameOrPath));
+    }
+    const std::vector<std::string> moving = animatedModelNames();
+    if (std::find(moving.begin(), moving.end(), nameOrPath) != moving.end()) {
+        return animatedModel(nameOrPath);
     }
     const Loaded<Model> model = openScene(nameOrPath);
     if (!model) {
@@ -78,12 +84,7 @@ BakePiece pieceOf(ModelMesh mesh) {
     piece.origin = mesh.origin;
     piece.transform = mesh.transform;
     piece.mirrored = glm::determinant(glm::mat3(mesh.transform)) < 0.0F;
-    Model alone;
-    alone.meshes.push_back(std::move(mesh));
-    TriangleMesh placed = alone.flattened();
-    piece.surface.positions = std::move(placed.positions);
-    piece.surface.normals = std::move(placed.normals);
-    piece.surface.indices = std::move(placed.indices);
+    piece.surface = placedSurface(std::move(mesh));
     return piece;
 }
 
@@ -112,7 +113,7 @@ Loaded<BakeInput> readInput(const std::string& nameOrPath) {
     if (!edit) {
         return edit.error();
     }
-    BakeInput input{file.stem().string(), std::move(*edit), {}, model->bounds()};
+    BakeInput input{file.stem().string(), *bytes, std::move(*edit), {}, model->bounds()};
     for (ModelMesh& mesh : model->meshes) {
         auto sets = uvSetsOf(*document, mesh.origin, mesh.positions.size());
         if (!sets) {
@@ -125,6 +126,17 @@ Loaded<BakeInput> readInput(const std::string& nameOrPath) {
 }
 
 } // namespace
+
+bake::Surface placedSurface(ModelMesh mesh) {
+    Model alone;
+    alone.meshes.push_back(std::move(mesh));
+    TriangleMesh placed = alone.flattened();
+    bake::Surface surface;
+    surface.positions = std::move(placed.positions);
+    surface.normals = std::move(placed.normals);
+    surface.indices = std::move(placed.indices);
+    return surface;
+}
 
 Outcome<BakeInput> openBakeInput(const std::string& nameOrPath) {
     try {

@@ -27,10 +27,14 @@ struct BakePiece {
 /// A model to bake, as the glTF that it will be written back to.
 struct BakeInput {
     std::string name;
+    std::string gltf; ///< the file, or what a shape or scene was made to
     GltfEdit edit;
     std::vector<BakePiece> pieces;
     Bounds bounds;
 };
+
+/// A mesh in world space, as it is baked.
+bake::Surface placedSurface(ModelMesh mesh);
 
 /// Opens a model file, a shape with UVs ("uv-sphere"), or a generated scene. Errors: BadInput.
 Outcome<BakeInput> openBakeInput(const std::string& nameOrPath);

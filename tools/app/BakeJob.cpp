@@ -8,6 +8,7 @@
 #include <aolib/bake/AbstractBaker.h>
 
 #include "app/BakeInput.h"
+#include "app/BakeToPoses.h"
 #include "app/BakeToTexture.h"
 #include "app/BakeToVertices.h"
 #include "app/Interruption.h"
@@ -43,7 +44,7 @@ private:
     std::unique_ptr<AbstractBakeDestination> destination();
     Outcome<std::unique_ptr<bake::AbstractBaker>> baker();
     bake::BakeScene scene() const;
-    bake::BakeProgress callback() const;
+    MaybeFailure bakeAll(AbstractBakeDestination& goal);
     MaybeFailure putModel(OutputFiles& files);
     MaybeFailure commit(OutputFiles& files) const;
 
@@ -97,11 +98,25 @@ Outcome<std::unique_ptr<bake::AbstractBaker>> Job::baker() {
     return std::move(*made);
 }
 
-bake::BakeProgress Job::callback() const {
-    return [this](double fraction) {
-        progress_.update(fraction);
-        return !Interruption::happened();
-    };
+MaybeFailure Job::bakeAll(AbstractBakeDestination& goal) {
+    const auto rounds = static_cast<double>(goal.rounds());
+    for (std::size_t round = 0; round < goal.rounds(); ++round) {
+        if (MaybeFailure failure = goal.beginRound(round)) {
+            return failure;
+        }
+        const auto made = baker();
+        if (!made) {
+            return made.failure();
+        }
+        const auto goOn = [&](double fraction) {
+            progress_.update((static_cast<double>(round) + fraction) / rounds);
+            return !Interruption::happened();
+        };
+        if (const Status baked = goal.bake(**made, goOn); !baked) {
+            return failureOf(input_.name, baked);
+        }
+    }
+    return std::nullopt;
 }
 
 MaybeFailure Job::putModel(OutputFiles& files) {
@@ -129,6 +144,9 @@ MaybeFailure Job::commit(OutputFiles& files) const {
 }
 
 std::unique_ptr<AbstractBakeDestination> Job::destination() {
+    if (!flags_.poses.empty()) {
+        return std::make_unique<BakeToPoses>(input_, flags_);
+    }
     if (flags_.target == BakeTarget::Vertex) {
         return std::make_unique<BakeToVertices>(input_, flags_);
     }
@@ -148,12 +166,8 @@ Outcome<std::string> Job::run() {
         }
     }
     progress_.begin(input_.name + ": baking");
-    const auto made = baker();
-    if (!made) {
-        return made.failure();
-    }
-    if (const Status baked = goal->bake(**made, callback()); !baked) {
-        return failureOf(input_.name, baked);
+    if (MaybeFailure failure = bakeAll(*goal)) {
+        return *failure;
     }
     progress_.begin(input_.name + ": writing");
     Outcome<std::string> table = goal->put(files);

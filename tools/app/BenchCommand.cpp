@@ -3,6 +3,7 @@
 #include "app/BenchBake.h"
 #include "app/BenchEnvironment.h"
 #include "app/BenchPareto.h"
+#include "app/BenchPoses.h"
 #include "app/BenchThesis.h"
 
 namespace aolib::app {
@@ -13,6 +14,7 @@ void addBenchCommand(CLI::App& program, MaybeFailure& failure) {
     addBenchBake(*bench, failure);
     addBenchEnvironment(*bench, failure);
     addBenchPareto(*bench, failure);
+    addBenchPoses(*bench, failure);
     addBenchThesis(*bench, failure);
     bench->footer("Examples:\n"
                   "  aolib bench pareto --list\n"

@@ -1,11 +1,14 @@
 #include "content/GltfAccessor.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <limits>
 #include <string>
 #include <type_traits>
 #include <utility>
+
+#include <glm/gtc/type_ptr.hpp>
 
 namespace aolib {
 namespace {
@@ -109,6 +112,37 @@ bool isIndexType(int type) {
            type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
 }
 
+/// An element of so many numbers, where GLM has no vector of them.
+template <int Count>
+struct Numbers {
+    explicit Numbers(float value = 0.0F) { numbers.fill(value); }
+    float& operator[](int i) { return numbers[static_cast<std::size_t>(i)]; }
+    static constexpr int length() { return Count; }
+
+    std::array<float, static_cast<std::size_t>(Count)> numbers{};
+};
+
+/// What glTF calls elements of so many numbers, and how messages do.
+struct ElementKind {
+    int type;
+    const char* lacking;
+};
+
+constexpr ElementKind kindOf(int numbers) {
+    switch (numbers) {
+    case 1:
+        return {TINYGLTF_TYPE_SCALAR, "does not hold single numbers"};
+    case 2:
+        return {TINYGLTF_TYPE_VEC2, "does not hold vectors of two numbers"};
+    case 3:
+        return {TINYGLTF_TYPE_VEC3, "does not hold vectors of three numbers"};
+    case 4:
+        return {TINYGLTF_TYPE_VEC4, "does not hold vectors of four numbers"};
+    default:
+        return {TINYGLTF_TYPE_MAT4, "does not hold matrices of sixteen numbers"};
+    }
+}
+
 template <typename Vector>
 Vector readVector(const char* bytes, int type, bool normalised) {
     const std::size_t size = componentSize(type);
@@ -186,16 +220,14 @@ AccessorReader::sparseIndices(const tinygltf::Accessor& accessor) const {
 
 template <typename Vector>
 Loaded<std::vector<Vector>> AccessorReader::vectors() const {
-    constexpr bool pairs = Vector::length() == 2;
+    constexpr ElementKind kind = kindOf(Vector::length());
     const tinygltf::Accessor* accessor = find();
     if (accessor == nullptr) {
         return failure("does not exist");
     }
     const int type = accessor->componentType;
-    if (accessor->type != (pairs ? TINYGLTF_TYPE_VEC2 : TINYGLTF_TYPE_VEC3) ||
-        componentSize(type) == 0) {
-        return failure(pairs ? "does not hold vectors of two numbers"
-                             : "does not hold vectors of three numbers");
+    if (accessor->type != kind.type || componentSize(type) == 0) {
+        return failure(kind.lacking);
     }
     const std::size_t size = std::size_t{Vector::length()} * componentSize(type);
     std::vector<Vector> result;
@@ -205,7 +237,7 @@ Loaded<std::vector<Vector>> AccessorReader::vectors() const {
         if (!run) {
             return run.error();
         }
-        result.resize(accessor->count);
+        result.resize(accessor->count, Vector(0.0F));
         for (std::size_t i = 0; i < result.size(); ++i) {
             result[i] =
                 readVector<Vector>(run->first + i * run->stride, type, accessor->normalized);
@@ -264,6 +296,34 @@ Loaded<std::vector<glm::vec3>> readVectors(const GltfDocument& document, int acc
 
 Loaded<std::vector<glm::vec2>> readPairs(const GltfDocument& document, int accessor) {
     return AccessorReader(document, accessor).vectors<glm::vec2>();
+}
+
+Loaded<std::vector<glm::vec4>> readQuads(const GltfDocument& document, int accessor) {
+    return AccessorReader(document, accessor).vectors<glm::vec4>();
+}
+
+Loaded<std::vector<float>> readNumbers(const GltfDocument& document, int accessor) {
+    const auto read = AccessorReader(document, accessor).vectors<Numbers<1>>();
+    if (!read) {
+        return read.error();
+    }
+    std::vector<float> numbers;
+    for (const Numbers<1>& value : *read) {
+        numbers.push_back(value.numbers[0]);
+    }
+    return numbers;
+}
+
+Loaded<std::vector<glm::mat4>> readMatrices(const GltfDocument& document, int accessor) {
+    const auto read = AccessorReader(document, accessor).vectors<Numbers<16>>();
+    if (!read) {
+        return read.error();
+    }
+    std::vector<glm::mat4> matrices;
+    for (const Numbers<16>& value : *read) {
+        matrices.push_back(glm::make_mat4(value.numbers.data()));
+    }
+    return matrices;
 }
 
 Loaded<std::vector<std::uint32_t>> readIndices(const GltfDocument& document, int accessor) {

@@ -24,6 +24,9 @@ constexpr std::uint32_t binaryChunk = 0x004E4942;
 constexpr std::array<const char*, 8> keptMembers{"asset",  "scene",     "scenes",      "nodes",
                                                  "meshes", "accessors", "bufferViews", "materials"};
 
+/// What is used beyond that where it is to move.
+constexpr std::array<const char*, 2> movingMembers{"animations", "skins"};
+
 /// Extensions that move the triangles to where this reader does not look.
 constexpr std::array<const char*, 3> unreadableExtensions{
     "KHR_draco_mesh_compression", "EXT_meshopt_compression", "EXT_mesh_gpu_instancing"};
@@ -221,7 +224,8 @@ Loaded<GltfParts> openGltf(std::string_view bytes, const std::filesystem::path& 
     return GltfParts{name, std::string(container->json), std::move(*buffers)};
 }
 
-Loaded<GltfDocument> parseGltf(std::string_view bytes, const std::filesystem::path& file) {
+Loaded<GltfDocument> parseGltf(std::string_view bytes, const std::filesystem::path& file,
+                               GltfMotion motion) {
     GltfDocument document;
     document.name = file.string();
     const Loaded<Container> container = openContainer(bytes, document.name);
@@ -243,6 +247,11 @@ Loaded<GltfDocument> parseGltf(std::string_view bytes, const std::filesystem::pa
     Json kept = Json::object();
     for (const char* member : keptMembers) {
         if (json->contains(member)) {
+            kept[member] = (*json)[member];
+        }
+    }
+    for (const char* member : movingMembers) {
+        if (motion == GltfMotion::Parsed && json->contains(member)) {
             kept[member] = (*json)[member];
         }
     }

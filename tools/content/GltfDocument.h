@@ -21,8 +21,14 @@ struct GltfParts {
 /// Takes a .gltf or .glb apart. `file` as for parseGltf().
 Loaded<GltfParts> openGltf(std::string_view bytes, const std::filesystem::path& file);
 
+/// How much of a glTF is parsed.
+enum class GltfMotion {
+    LeftOut, ///< a damaged animation keeps nobody from the model at rest
+    Parsed,  ///< animations and skins, too
+};
+
 /// A parsed glTF: its structure as tinygltf gives it, and the bytes of its buffers. Images,
-/// textures, animations, skins and cameras are left out; buffer views are not yet checked.
+/// textures and cameras are left out; buffer views are not yet checked.
 struct GltfDocument {
     std::string name; ///< the file, for messages
     tinygltf::Model structure;
@@ -30,6 +36,7 @@ struct GltfDocument {
 };
 
 /// Parses a .gltf or .glb. `file` gives the name in messages and the folder of external buffers.
-Loaded<GltfDocument> parseGltf(std::string_view bytes, const std::filesystem::path& file);
+Loaded<GltfDocument> parseGltf(std::string_view bytes, const std::filesystem::path& file,
+                               GltfMotion motion = GltfMotion::LeftOut);
 
 } // namespace aolib

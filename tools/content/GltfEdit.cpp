@@ -132,6 +132,15 @@ std::optional<LoadError> GltfEdit::splitVertices(int mesh, int primitive,
     return std::nullopt;
 }
 
+void GltfEdit::setExtra(int mesh, int primitive, const std::string& name,
+                        const std::vector<float>& numbers) {
+    GltfContent::Json& extras = content_->primitive(mesh, primitive)["extras"];
+    if (!extras.is_object()) {
+        extras = GltfContent::Json::object();
+    }
+    extras[name] = numbers;
+}
+
 int GltfEdit::addFloats(const std::vector<float>& values, int components) {
     static const char* const types[] = {"", "SCALAR", "VEC2", "VEC3", "VEC4"};
     std::string bytes(values.size() * sizeof(float), '\0');

@@ -51,6 +51,9 @@ public:
     std::optional<LoadError> splitVertices(int mesh, int primitive,
                                            const std::vector<std::uint32_t>& source,
                                            const std::vector<std::uint32_t>& indices);
+    /// Numbers among a primitive's `extras`, beside those that are there.
+    void setExtra(int mesh, int primitive, const std::string& name,
+                  const std::vector<float>& numbers);
     /// An accessor of floats, 1 to 4 per element.
     int addFloats(const std::vector<float>& values, int components);
 

@@ -133,6 +133,32 @@ TEST_F(BakeCommandTest, VerticesGetAttributesOrColours) {
                   {"vertex colours already"});
 }
 
+TEST_F(BakeCommandTest, PosesGetAnAttributeEach) {
+    expectDone({"bake", "hinge", "-o", "out.glb", "--target", "vertex", "--poses", "0,0.5,2",
+                "--rays", "32"});
+    const Json json = jsonOf("out.glb");
+    for (const Json& mesh : json["meshes"]) {
+        const Json& primitive = mesh["primitives"][0];
+        EXPECT_EQ(primitive["extras"]["aolib_pose_times"], (std::vector<float>{0.0F, 0.5F, 2.0F}));
+        for (const char* name : {"_AO_0", "_AO_1", "_AO_2"}) {
+            ASSERT_TRUE(primitive["attributes"].contains(name)) << name;
+            const Json& accessor = json["accessors"][primitive["attributes"][name].get<int>()];
+            EXPECT_EQ(accessor["count"], json["accessors"][0]["count"]);
+        }
+        EXPECT_FALSE(primitive["attributes"].contains("_AO"));
+    }
+    EXPECT_EQ(json["animations"].size(), 1U) << "and it still moves";
+    const std::string table = run({"bake", "hinge", "-o", "again.glb", "--target", "vertex",
+                                   "--poses", "0,2", "--rays", "32"})
+                                  .out;
+    EXPECT_NE(table.find("lid"), std::string::npos) << table;
+    expectRefused({"bake", "hinge", "-o", "no.glb", "--poses", "0,1"}, {"--target vertex"});
+    expectRefused({"bake", "hinge", "-o", "no.glb", "--target", "vertex", "--poses", "1,0"},
+                  {"growing"});
+    expectRefused({"bake", "cornell", "-o", "no.glb", "--target", "vertex", "--poses", "0,1"},
+                  {"0 animations"});
+}
+
 TEST_F(BakeCommandTest, WhereThereAreNoUvsTheyAreMadeOrTheLackIsTold) {
     expectDone({"bake", "cornell", "-o", "out.glb", "--size", "128", "--rays", "16"});
     const Json json = jsonOf("out.glb");

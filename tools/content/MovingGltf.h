@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+
+#include "content/GltfAnimation.h"
+#include "content/GltfDocument.h"
+#include "content/GltfSkin.h"
+#include "content/Loaded.h"
+#include "content/Model.h"
+
+namespace aolib {
+
+/// A glTF in any pose of its animations: nodes that move, skins, morph targets.
+class MovingGltf {
+public:
+    /// `file` as for readGltf().
+    static Loaded<MovingGltf> open(std::string_view bytes, const std::filesystem::path& file);
+
+    std::size_t animations() const { return animations_.size(); }
+    /// Seconds from 0 to the last key of an animation.
+    double duration(std::size_t animation) const;
+    /// The model at a time of an animation: meshes, vertices and triangles in the order of
+    /// readGltf(). Meshes with a skin are in world space.
+    Loaded<Model> at(std::size_t animation, double seconds) const;
+    /// What moves, as numbers: all properties that the animation has tracks for.
+    std::vector<float> parameters(std::size_t animation, double seconds) const;
+
+private:
+    struct Pose;
+
+    Loaded<glm::dmat4> localTransform(const Pose& pose, std::size_t node) const;
+    Loaded<std::vector<glm::mat4>> worldTransforms(const Pose& pose) const;
+    Loaded<ModelMesh> posed(const ModelMesh& mesh, const Pose& pose,
+                            const std::vector<glm::mat4>& world) const;
+    Loaded<bool> morph(ModelMesh& mesh, const std::vector<double>& weights) const;
+    Loaded<bool> bend(ModelMesh& mesh, int skin, const std::vector<glm::mat4>& world) const;
+    const tinygltf::Primitive& primitiveOf(const ModelMesh& mesh) const;
+
+    GltfDocument document_;
+    Model rest_;
+    std::vector<GltfAnimation> animations_;
+    std::vector<int> parents_; ///< by node, -1 at the top
+};
+
+} // namespace aolib

@@ -16,15 +16,16 @@ vec3 aoConeRadiance(sampler2DArray cones, vec3 axis, float share) {
                textureLod(cones, vec3(place, lower + 1.0), 0.0).rgb, layer - lower);
 }
 
-// By visibility W and bent normal: the cone of open directions. All unit vectors.
+// By visibility W and bent normal: the cone of open directions. All unit vectors. Here and below
+// what interpolation put outside 0 and 1 is cut.
 vec3 aoConeLight(sampler2DArray cones, vec3 normal, vec3 bentNormal, float visibility) {
-    return visibility *
+    return clamp(visibility, 0.0, 1.0) *
            aoConeRadiance(cones, bentNormal, coneShare(visibility, dot(normal, bentNormal)));
 }
 
 // Ambient occlusion times irradiance: visibility W darkens what an open surface would send out.
 vec3 aoIrradianceLight(sampler2DArray cones, vec3 normal, float visibility) {
-    return visibility * aoConeRadiance(cones, normal, 1.0);
+    return clamp(visibility, 0.0, 1.0) * aoConeRadiance(cones, normal, 1.0);
 }
 
 // GPU Gems, chapter 17, listing 17-5: how far to blur, in shares of the map.
@@ -39,8 +40,9 @@ void computeBlur(float accessibility, out vec2 blurX, out vec2 blurY) {
 vec3 aoBlurredLightAt(sampler2D map, vec2 place, float accessibility) {
     vec2 blurX;
     vec2 blurY;
-    computeBlur(accessibility, blurX, blurY);
-    return accessibility * textureGrad(map, place, blurX, blurY).rgb;
+    float open = clamp(accessibility, 0.0, 1.0);
+    computeBlur(open, blurX, blurY);
+    return open * textureGrad(map, place, blurX, blurY).rgb;
 }
 
 vec3 aoBlurredLight(sampler2D map, vec3 bentNormal, float accessibility) {

@@ -110,7 +110,7 @@ glm::vec3 ConeTable::lookup(const glm::vec3& axis, float share) const {
 glm::vec3 coneLight(const ConeTable& cones, const glm::vec3& normal, const glm::vec3& bentNormal,
                     float visibility) {
     const float share = shared::coneShare(visibility, glm::dot(normal, bentNormal));
-    return visibility * cones.lookup(bentNormal, share);
+    return std::clamp(visibility, 0.0F, 1.0F) * cones.lookup(bentNormal, share);
 }
 
 } // namespace aolib::lighting

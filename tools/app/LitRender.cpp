@@ -93,6 +93,7 @@ private:
 MaybeFailure LitJob::bake() {
     progress_.begin(view_.model.name + ": baking its vertices");
     bench::LitSceneOptions options;
+    options.edge = flags_.edge / 100.0;
     options.rays = flags_.rays;
     const auto goOn = [&](double done) {
         progress_.update(done);
@@ -200,6 +201,10 @@ void LitFlags::attach(CLI::App& command) {
         "rays per pixel of --lit-truth")
         ->default_str(std::to_string(truthRays));
     addNumber(
+        command, "--lit-edge", [this](double percent) { edge = percent; },
+        "edges are cut that are longer, percent of the scene's diagonal")
+        ->default_str("0.5");
+    addNumber(
         command, "--turn", [this](double degrees) { turn = degrees; },
         "turn the environment about the vertical, degrees");
     addNumber(
@@ -213,6 +218,9 @@ MaybeFailure renderLit(const LitFlags& flags, const ViewFlags& view, const GlFla
     }
     if (flags.exposure < 0.0) {
         return badInput("--exposure must be above 0");
+    }
+    if (!(flags.edge > 0.0)) {
+        return badInput("--lit-edge must be above 0");
     }
     OutputFiles files;
     if (MaybeFailure failure = files.announce("--lit", flags.picture, {".png", ".pfm"})) {

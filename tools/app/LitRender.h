@@ -18,6 +18,7 @@ struct LitFlags {
     host::LitMethod method = host::LitMethod::ConeAndSun;
     double turn = 0.0;     ///< degrees about +Y
     double exposure = 0.0; ///< per unit of radiance; 0: by the picture
+    double edge = 0.5;     ///< longest edge, percent of the scene's diagonal
     int rays = 256;        ///< per vertex
     int truthRays = 1024;  ///< per pixel
     std::string picture;

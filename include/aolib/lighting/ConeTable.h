@@ -50,7 +50,7 @@ private:
 /// The radiance of a white diffuse surface under an environment, by what was baked of it.
 /// @param normal      of the surface, unit length.
 /// @param bentNormal  mean open direction, unit length.
-/// @param visibility  W, 0 closed to 1 open.
+/// @param visibility  W, 0 closed to 1 open; cut to that.
 /// Since 0.1.
 AOLIB_LIGHTING_EXPORT glm::vec3 coneLight(const ConeTable& cones, const glm::vec3& normal,
                                           const glm::vec3& bentNormal, float visibility);

@@ -165,6 +165,15 @@ TEST_P(EnvironmentLightGLTest, AnglesFromTheCubeMapAreThoseOfTheArcTangent) {
     }
 }
 
+TEST_P(EnvironmentLightGLTest, WhatInterpolationPutsOutsideIsCut) {
+    for (const glm::vec4& pixel : shaded("aoConeLight(cones, direction, direction, -0.1).r, "
+                                         "aoBlurredLight(map, direction, -0.1).r, "
+                                         "aoIrradianceLight(cones, direction, 1.5).r - "
+                                         "aoIrradianceLight(cones, direction, 1.0).r, 0.0")) {
+        ASSERT_EQ(pixel, glm::vec4(0.0F));
+    }
+}
+
 TEST_P(EnvironmentLightGLTest, BrighterThanHalvesIsCut) {
     EnvironmentMap map{4, 2, std::vector<glm::vec3>(8, glm::vec3(1e6F))};
     Result<EnvironmentLight> light =

@@ -13,7 +13,7 @@ protected:
     ProgramRun lit(std::vector<std::string> more) const {
         std::vector<std::string> arguments{"render",           "cornell", "--width",    "48",
                                            "--height",         "27",      "--lit-rays", "16",
-                                           "--lit-truth-rays", "64"};
+                                           "--lit-truth-rays", "64",      "--lit-edge", "4"};
         arguments.insert(arguments.end(), more.begin(), more.end());
         return run(arguments);
     }
@@ -63,6 +63,7 @@ TEST_F(LitRenderTest, WhatCannotBeUsedIsRefused) {
     expectRefused({"--environment", "missing.hdr", "--lit", "a.png"}, "missing.hdr");
     expectRefused({"--environment", "sunny", "--lit", "a.jpg"}, "--lit");
     expectRefused({"--environment", "sunny", "--lit", "a.png", "--exposure", "-1"}, "--exposure");
+    expectRefused({"--environment", "sunny", "--lit", "a.png", "--lit-edge", "0"}, "--lit-edge");
     EXPECT_TRUE(names().empty());
 }
 

@@ -98,6 +98,7 @@ TEST(ConeTableTest, ASurfaceUnderASlitIsLitByTheSlit) {
     EXPECT_NEAR(coneLight(table, up, up, 1.0F).r, 1.2346F, 0.002F) << "the rest is dark anyway";
     EXPECT_NEAR(coneLight(table, up, up, 0.1F).r, 0.4F, 0.01F) << "a smaller hole shows less";
     EXPECT_EQ(coneLight(table, up, up, 0.0F).r, 0.0F);
+    EXPECT_EQ(coneLight(table, up, up, -0.1F).r, 0.0F) << "what interpolation may bring";
 }
 
 TEST(ConeTableTest, TheConeBesideAWallIsTiltedAndWide) {

@@ -216,6 +216,22 @@ TEST_F(BakeCommandTest, TheBenchWritesATableAndAPlot) {
     expectRefused({"bench", "bake", "--mesh", "cornell"}, {"5 materials"});
 }
 
+TEST_F(BakeCommandTest, TheBenchGoesOnWhereItWasStopped) {
+    const std::vector<std::string> first{
+        "bench", "bake",         "--mesh", "uv-box",   "--samples", "4",   "--size",
+        "16",    "--truth-rays", "4",      "--resume", "--out",     "made"};
+    expectDone(first);
+    const std::string before = bytesOf("made/bake.csv");
+    expectDone(first);
+    EXPECT_EQ(bytesOf("made/bake.csv"), before) << "times of a second run would be others";
+    EXPECT_TRUE(std::filesystem::exists(path("made/truths/uv-box-16-4.pfm")));
+    expectDone({"bench", "bake", "--mesh", "uv-box", "--samples", "8", "--size", "16",
+                "--truth-rays", "4", "--method", "rays", "--resume", "--out", "made"});
+    const std::string after = bytesOf("made/bake.csv");
+    EXPECT_EQ(after.substr(0, before.size()), before);
+    EXPECT_NE(after.find("\nuv-box,192,16,rays,8,"), std::string::npos) << after;
+}
+
 TEST_F(BakeCommandTest, WhatCannotBeUsedIsRefused) {
     expectRefused({"bake", "uv-box"}, {"--out", "needed"});
     expectRefused({"bake", "nothing", "-o", "a.glb"}, {"nothing", "uv-shapes"});

@@ -40,23 +40,32 @@ void GlFlags::attach(CLI::App& command) {
 Outcome<GlSession> GlSession::open(const GlFlags& flags) {
     ContextRequest request;
     request.profile = flags.profile;
-    request.debug = flags.strict || kDebugBuild;
     if (flags.api) {
         request.api = *flags.api;
+        return open(request, flags.strict);
     }
-    Result<std::unique_ptr<GlContext>> context =
-        flags.api ? createContext(request) : createOffscreenContext(request);
+    request.debug = flags.strict || kDebugBuild;
+    return adopt(createOffscreenContext(request), request.debug, flags.strict);
+}
+
+Outcome<GlSession> GlSession::open(ContextRequest request, bool strict) {
+    request.debug = strict || kDebugBuild;
+    return adopt(createContext(request), request.debug, strict);
+}
+
+Outcome<GlSession> GlSession::adopt(Result<std::unique_ptr<GlContext>> context, bool debug,
+                                    bool strict) {
     if (!context) {
         return graphicsFailure("no OpenGL context: " + context.status().message());
     }
     GlSession session;
     session.context_ = std::move(*context);
-    session.strict_ = flags.strict;
-    if (request.debug) {
+    session.strict_ = strict;
+    if (debug) {
         Result<std::unique_ptr<DebugLog>> log = DebugLog::install(session.loader());
         if (log) {
             session.log_ = std::move(*log);
-        } else if (flags.strict) {
+        } else if (strict) {
             std::cerr << "aolib: --gl-debug: " << log.status().message()
                       << "; only failures of aolib itself will show\n";
         }

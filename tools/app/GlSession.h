@@ -29,8 +29,11 @@ class GlSession {
 public:
     /// Errors: Graphics.
     static Outcome<GlSession> open(const GlFlags& flags);
+    /// The same for a context of one's own choice, such as a window. Errors: Graphics.
+    static Outcome<GlSession> open(ContextRequest request, bool strict);
 
     const gl::Functions& gl() const { return *gl_; }
+    GlContext& context() const { return *context_; }
     ProcAddressLoader loader() const { return context_->loader(); }
     /// One line: "EGL surfaceless, llvmpipe ..., 4.5 core, Mesa 22.3.6".
     std::string describe() const { return context_->describe(); }
@@ -40,6 +43,8 @@ public:
 
 private:
     GlSession() = default;
+    static Outcome<GlSession> adopt(Result<std::unique_ptr<GlContext>> context, bool debug,
+                                    bool strict);
 
     // In this order: the log gives the callback slot back before the context goes.
     std::unique_ptr<GlContext> context_;

@@ -1,11 +1,8 @@
 #include "app/ViewFlags.h"
 
 #include <algorithm>
-#include <utility>
-#include <vector>
 
 #include "app/NumberFlags.h"
-#include "content/SceneSource.h"
 
 namespace aolib::app {
 
@@ -46,7 +43,8 @@ double farthestCorner(const Bounds& bounds, const glm::vec3& eye) {
 
 } // namespace
 
-void ViewFlags::attach(CLI::App& command) {
+void ViewFlags::attach(CLI::App& command, const ViewDefaults& defaults) {
+    defaults_ = defaults;
     command.add_option("scene", scene_,
                        "a generated scene (see \"aolib scenes\") or a .glb, .gltf or .obj file");
     command.add_option("--case", case_, "a case file (JSON) with scene, camera, size and radius")
@@ -65,7 +63,7 @@ void ViewFlags::attach(CLI::App& command) {
             command, flag, [&into](double value) { into = value; }, help)
             ->group("View");
     };
-    const auto side = [&](const char* flag, std::optional<int>& into, const char* help) {
+    const auto side = [&](const char* flag, std::optional<int>& into, const std::string& help) {
         addWholeNumber(
             command, flag, 1, kMaxSide, [&into](int value) { into = value; }, help)
             ->type_name("PIXELS")
@@ -77,8 +75,11 @@ void ViewFlags::attach(CLI::App& command) {
     number("--fovy", fovyDeg_, "vertical field of view, degrees");
     number("--near", near_, "near plane; with --eye derived from the scene");
     number("--far", far_, "far plane; with --eye derived from the scene");
-    side("--width", width_, "width of the picture [960]");
-    side("--height", height_, "height of the picture [540]");
+    const auto picture = [](const char* what, int size) {
+        return std::string(what) + " of the picture [" + std::to_string(size) + "]";
+    };
+    side("--width", width_, picture("width", defaults.width));
+    side("--height", height_, picture("height", defaults.height));
     number("--ground", ground_, "adds a large horizontal quad at this y");
     addChoice<host::SceneNormals>(
         command, "--normals",
@@ -90,7 +91,8 @@ void ViewFlags::attach(CLI::App& command) {
 }
 
 Outcome<View> ViewFlags::open() const {
-    if (scene_.empty() == case_.empty()) {
+    const std::string& scene = named() ? scene_ : defaults_.scene;
+    if (scene.empty() == case_.empty()) {
         return badInput(case_.empty() ? "a scene or --case is needed; \"aolib scenes\" lists some"
                                       : "--case " + case_ + ": it names its scene itself, so \"" +
                                             scene_ + "\" is one too many");
@@ -98,79 +100,25 @@ Outcome<View> ViewFlags::open() const {
     if (!case_.empty() && !camera_.empty()) {
         return badInput("--camera " + camera_ + ": a case file has its own camera");
     }
-    Outcome<View> view = case_.empty() ? openScene() : openCase();
+    const std::optional<float> ground =
+        ground_ ? std::optional(static_cast<float>(*ground_)) : std::nullopt;
+    Outcome<View> view =
+        case_.empty() ? openSceneView(scene, camera_) : openCaseView(case_, ground);
     if (!view) {
         return view;
     }
-    if (MaybeFailure failure = applyFlags(*view)) {
+    const bool sized = !case_.empty(); // by the case file
+    view->width = width_.value_or(sized ? view->width : defaults_.width);
+    view->height = height_.value_or(sized ? view->height : defaults_.height);
+    view->normals = normals_.value_or(view->normals);
+    overrideCamera(view->camera, view->model);
+    if (ground && case_.empty()) {
+        addGround(*view, *ground);
+    }
+    if (MaybeFailure failure = check(view->camera)) {
         return *failure;
     }
     return view;
-}
-
-Outcome<View> ViewFlags::openCase() const {
-    Loaded<Case> description = readCase(case_);
-    if (!description) {
-        return badInput(description.sentence());
-    }
-    const std::optional<float> ground = std::exchange(description->ground, std::nullopt);
-    Loaded<Model> model = loadCaseModel(*description);
-    if (!model) {
-        return badInput(model.sentence());
-    }
-    View view;
-    view.model = std::move(*model);
-    view.diagonal = static_cast<double>(view.model.bounds().diagonal());
-    view.camera = caseCamera(*description);
-    view.width = description->width;
-    view.height = description->height;
-    view.normals = description->normals == CaseNormals::Given ? host::SceneNormals::Model
-                                                              : host::SceneNormals::Geometric;
-    view.options.radius = description->radius;
-    view.options.falloff = description->falloff;
-    if (ground && !ground_) {
-        addGround(view.model, *ground);
-    }
-    return view;
-}
-
-Outcome<View> ViewFlags::openScene() const {
-    Loaded<Model> model = aolib::openScene(scene_);
-    if (!model) {
-        return badInput(model.sentence());
-    }
-    View view;
-    view.model = std::move(*model);
-    view.diagonal = static_cast<double>(view.model.bounds().diagonal());
-    const Outcome<NamedCamera> camera = namedCamera(view.model);
-    if (!camera) {
-        return camera.failure();
-    }
-    view.camera = *camera;
-    return view;
-}
-
-Outcome<NamedCamera> ViewFlags::namedCamera(const Model& model) const {
-    const std::vector<NamedCamera> cameras = camerasFor(scene_, model);
-    std::string names;
-    for (const NamedCamera& camera : cameras) {
-        if (camera_.empty() || camera.name == camera_) {
-            return camera;
-        }
-        names += (names.empty() ? "" : ", ") + camera.name;
-    }
-    return badInput("--camera " + camera_ + ": " + scene_ + " has no such camera, but " + names);
-}
-
-MaybeFailure ViewFlags::applyFlags(View& view) const {
-    view.width = width_.value_or(view.width);
-    view.height = height_.value_or(view.height);
-    view.normals = normals_.value_or(view.normals);
-    overrideCamera(view.camera, view.model);
-    if (ground_) {
-        addGround(view.model, static_cast<float>(*ground_));
-    }
-    return check(view.camera);
 }
 
 void ViewFlags::overrideCamera(NamedCamera& camera, const Model& model) const {

@@ -6,43 +6,34 @@
 #include <CLI/CLI.hpp>
 #include <glm/vec3.hpp>
 
-#include <aolib/Options.h>
-
 #include "app/Outcome.h"
-#include "content/Case.h"
-#include "content/Model.h"
-#include "content/NamedCamera.h"
-#include "host/ModelScene.h"
+#include "app/View.h"
 
 namespace aolib::app {
 
-/// A scene, opened, and how to look at it.
-struct View {
-    Model model;
-    NamedCamera camera;
-    int width = 960;  ///< pixels
-    int height = 540; ///< pixels
-    host::SceneNormals normals = host::SceneNormals::Geometric;
-    Options options;       ///< defaults, but for what a case file says
-    double diagonal = 0.0; ///< of the bounding box without ground, world units
+/// What a command takes where no flag and no case file says otherwise.
+struct ViewDefaults {
+    std::string scene; ///< empty: naming none is an error
+    int width = 960;   ///< pixels
+    int height = 540;  ///< pixels
 };
 
 /// The flags that say what is looked at, and from where: scene or case file, camera, size, normals.
 class ViewFlags {
 public:
     /// Adds the flags to a command. The object must outlive it.
-    void attach(CLI::App& command);
+    void attach(CLI::App& command, const ViewDefaults& defaults = {});
 
     /// Reads the scene. Flags override what a case file says. Errors: BadInput.
     Outcome<View> open() const;
+    /// Whether a scene or a case file was named.
+    bool named() const { return !scene_.empty() || !case_.empty(); }
 
 private:
-    Outcome<View> openCase() const;
-    Outcome<View> openScene() const;
-    Outcome<NamedCamera> namedCamera(const Model& model) const;
     MaybeFailure applyFlags(View& view) const;
     void overrideCamera(NamedCamera& camera, const Model& model) const;
 
+    ViewDefaults defaults_;
     std::string scene_;
     std::string case_;
     std::string camera_;

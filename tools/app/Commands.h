@@ -14,6 +14,7 @@ void addTruthCommand(CLI::App& program, MaybeFailure& failure);
 void addScenesCommand(CLI::App& program, MaybeFailure& failure);
 void addBenchCommand(CLI::App& program, MaybeFailure& failure);
 void addBakeCommand(CLI::App& program, MaybeFailure& failure);
+void addViewCommand(CLI::App& program, MaybeFailure& failure);
 void addDemoCommand(CLI::App& program, MaybeFailure& failure);
 
 } // namespace aolib::app

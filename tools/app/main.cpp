@@ -17,6 +17,7 @@ int run(int argc, char** argv) {
     program.footer("Begin with:\n"
                    "  aolib scenes                      what there is to look at\n"
                    "  aolib render town -o out          pictures of a scene, and a table\n"
+                   "  aolib view town                   the same in a window, with sliders\n"
                    "  aolib bake model.glb -o out.glb   occlusion into a model's textures\n"
                    "  aolib demo --out out              everything at once, compared with rays\n"
                    "\"aolib COMMAND --help\" explains a command.\n"
@@ -28,6 +29,7 @@ int run(int argc, char** argv) {
     aolib::app::addScenesCommand(program, failure);
     aolib::app::addBenchCommand(program, failure);
     aolib::app::addBakeCommand(program, failure);
+    aolib::app::addViewCommand(program, failure);
     aolib::app::addDemoCommand(program, failure);
     const std::string first = argc > 1 ? argv[1] : "";
     const bool known =

@@ -19,7 +19,7 @@ TEST_F(HelpTest, NamesEveryCommandAndExitCode) {
     EXPECT_EQ(help.exitCode, 0);
     EXPECT_EQ(help.err, "");
     for (const char* word :
-         {"render", "compare", "truth", "scenes", "bake", "bench", "demo", "Exit codes"}) {
+         {"render", "compare", "truth", "scenes", "bake", "bench", "view", "demo", "Exit codes"}) {
         EXPECT_TRUE(contains(help.out, word)) << word;
     }
 }

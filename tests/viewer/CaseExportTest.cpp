@@ -1,0 +1,76 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "viewer/CaseExport.h"
+
+namespace aolib::viewer {
+namespace {
+
+namespace fs = std::filesystem;
+
+app::View roomView() {
+    app::View view;
+    view.scene = "room";
+    view.ground = -0.25F;
+    view.normals = host::SceneNormals::Model;
+    return view;
+}
+
+NamedCamera someCamera() {
+    return {"", {0.1F, 1.7F, 3.3F}, {0.3F, 1.0F, 0.0F}, {0.0F, 1.0F, 0.0F}, 51.5F, 0.01F, 77.7F};
+}
+
+TEST(CaseExportTest, HoldsWhatIsSeenExactly) {
+    Options options;
+    options.radius = 1.0F / 3.0F;
+    options.falloff = Falloff::Exp;
+    const Case made = caseOf(roomView(), someCamera(), {641, 359}, options, ".");
+    const Loaded<Case> read = parseCase(writeCase(made), "some.json");
+    ASSERT_TRUE(read) << read.sentence();
+    EXPECT_EQ(read->mesh, "room");
+    EXPECT_EQ(read->eye, someCamera().eye);
+    EXPECT_EQ(read->target, someCamera().target);
+    EXPECT_EQ(read->fovyDeg, someCamera().fovyDeg);
+    EXPECT_EQ(read->near, someCamera().near);
+    EXPECT_EQ(read->far, someCamera().far);
+    EXPECT_EQ(read->width, 641);
+    EXPECT_EQ(read->height, 359);
+    EXPECT_EQ(read->radius, options.radius);
+    EXPECT_EQ(read->falloff, Falloff::Exp);
+    EXPECT_EQ(read->normals, CaseNormals::Given);
+    EXPECT_EQ(read->ground, -0.25F);
+}
+
+TEST(CaseExportTest, FilesAreNamedRelativeToTheCase) {
+    app::View view;
+    view.scene = "models/bunny.obj";
+    EXPECT_EQ(caseOf(view, someCamera(), {8, 8}, {}, ".").mesh, "models/bunny.obj");
+    EXPECT_EQ(caseOf(view, someCamera(), {8, 8}, {}, "cases").mesh, "../models/bunny.obj");
+    view.scene = fs::absolute("models/bunny.obj").string();
+    EXPECT_EQ(caseOf(view, someCamera(), {8, 8}, {}, ".").mesh, "models/bunny.obj");
+}
+
+TEST(CaseExportTest, TheCommandHasWhatACaseHasNot) {
+    Options options;
+    options.radius = 3.0F;
+    options.estimator = Estimator::RayTraced;
+    options.rayTraced.rays = 64;
+    EXPECT_EQ(renderCommand("a.json", options, {}),
+              "aolib render --case a.json --estimator ray-traced --texel-rays 64");
+    CubeMapInfo cubeMap;
+    cubeMap.position = {0.5F, 1.0F, -2.0F};
+    EXPECT_EQ(renderCommand("a.json", options, {cubeMap}),
+              "aolib render --case a.json --estimator ray-traced --texel-rays 64 "
+              "--cube-map 0.5,1,-2");
+    options.estimator = Estimator::HorizonSplit; // the library's default, not the tool's
+    EXPECT_EQ(renderCommand("a.json", options, {}),
+              "aolib render --case a.json --estimator horizon-split --texel-rays 64");
+    options.backbone = Backbone::ScreenSpace;
+    EXPECT_EQ(renderCommand("a.json", options, {cubeMap}),
+              "aolib render --case a.json --estimator horizon-split --backbone screenspace "
+              "--texel-rays 64");
+}
+
+} // namespace
+} // namespace aolib::viewer

@@ -1,0 +1,278 @@
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "WindowTest.h"
+#include "image/Png.h"
+#ifdef AOLIB_TEST_X11
+#include "FileDrop.h"
+#endif
+
+namespace aolib::test {
+
+namespace {
+
+using nlohmann::json;
+
+/// A scene of 34 triangles and as little work as there can be.
+const std::vector<std::string> kSmall{
+    "cornell",     "--width", "320",         "--height",      "1100",
+    "--face-size", "16",      "--estimator", "horizon-split", "--directions",
+    "2",           "--steps", "2",           "--no-blur",     "--gl-debug"};
+
+std::vector<std::string> with(std::vector<std::string> arguments,
+                              const std::vector<std::string>& more) {
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+}
+
+double eyeDistance(const json& s) {
+    double sum = 0.0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double d = s["eye"][axis].get<double>() - s["target"][axis].get<double>();
+        sum += d * d;
+    }
+    return std::sqrt(sum);
+}
+
+double meanBrightness(const ByteImage& image, int x0, int x1, int y0, int y1) {
+    double sum = 0.0;
+    for (int y = y0; y < y1; ++y) {
+        for (int x = x0; x < x1; ++x) {
+            sum += image.at(x, y, 0) + image.at(x, y, 1) + image.at(x, y, 2);
+        }
+    }
+    return sum / (3.0 * (x1 - x0) * (y1 - y0));
+}
+
+/// The largest difference of any channel in a part of two pictures.
+int worstDifference(const ByteImage& a, const ByteImage& b, int x0, int x1, int y0, int y1) {
+    int worst = 0;
+    for (int y = y0; y < y1; ++y) {
+        for (int x = x0; x < x1; ++x) {
+            for (int c = 0; c < 3; ++c) {
+                worst = std::max(worst, std::abs(int{a.at(x, y, c)} - int{b.at(x, y, c)}));
+            }
+        }
+    }
+    return worst;
+}
+
+class WindowGLTest : public WindowTest {
+protected:
+    void quit() {
+        key("ctrl+q");
+        EXPECT_EQ(finish(), 0) << bytesOf("log");
+    }
+    ByteImage picture(const std::string& name) const {
+        ImageResult<ByteImage> read = readPng(path(name));
+        EXPECT_TRUE(read) << name;
+        return read ? *read : ByteImage(1, 1, 3);
+    }
+};
+
+TEST_F(WindowGLTest, MouseAndKeysMoveTheCamera) {
+    start(kSmall);
+    waitForRest();
+    const json before = state();
+    drag(100, 500, 180, 520);
+    waitFor("a turned camera", [&](const json& s) { return s["eye"] != before["eye"]; });
+    EXPECT_EQ(state()["target"], before["target"]);
+    EXPECT_NEAR(eyeDistance(state()), eyeDistance(before), 1e-3);
+
+    const json turned = state();
+    input({"click", "4"}); // a notch of the wheel, away from the user
+    waitFor("a nearer camera",
+            [&](const json& s) { return eyeDistance(s) < 0.95 * eyeDistance(turned); });
+    key("r");
+    waitFor("the first camera", [&](const json& s) { return s["eye"] == before["eye"]; });
+
+    key("w");
+    waitForRest();
+    EXPECT_EQ(state()["eye"], before["eye"]) << "W is for those who walk";
+    key("f");
+    waitFor("walking", [](const json& s) { return s["mode"] == "walk"; });
+    holdKey("w");
+    waitFor("steps", [&](const json& s) { return s["eye"] != before["eye"]; });
+    releaseKey("w");
+    waitForRest();
+    quit();
+}
+
+TEST_F(WindowGLTest, AtRestItDrawsNothing) {
+    start(kSmall);
+    waitForRest();
+    key("F12"); // its message goes by itself, in a frame of its own
+    waitFor("a message", [](const json& s) { return s["message"] != ""; });
+    waitForRest();
+    const int frames = state()["frames"];
+    input({"sleep", "0.6"});
+    EXPECT_LE(state()["frames"].get<int>(), frames + 1);
+    moveMouse(50, 60);
+    waitFor("frames again", [&](const json& s) { return s["frames"] > frames + 1; });
+    quit();
+}
+
+TEST_F(WindowGLTest, OptionsChangeByKeysAndByTheMouse) {
+    start(kSmall);
+    key("v");
+    waitFor("a debug view", [](const json& s) { return s["options"]["debug-view"] == "ao"; });
+    key("b");
+    waitFor("the other backbone",
+            [](const json& s) { return s["options"]["backbone"] == "screenspace"; });
+    key("o");
+    waitFor("no occlusion", [](const json& s) { return !s["occlusion"].get<bool>(); });
+    key("F1");
+    waitFor("help", [](const json& s) { return s["help"].get<bool>(); });
+    key("F1");
+    waitFor("no help", [](const json& s) { return !s["help"].get<bool>(); });
+
+    const json place = state()["widgets"]["outlines"];
+    click(place[0].get<double>() + 8.0, place[1].get<double>() + 8.0);
+    waitFor("outlines", [](const json& s) { return s["options"]["outlines"] == "on"; });
+    const json slider = state()["widgets"]["contrast"];
+    click(slider[0].get<double>() + 0.5 * slider[2].get<double>(), slider[1].get<double>() + 8.0);
+    waitFor("half the contrast", [](const json& s) {
+        return std::abs(std::stod(s["options"]["contrast"].get<std::string>()) - 0.5) < 0.1;
+    });
+
+    const int width = state()["picture"][0];
+    key("Tab");
+    waitFor("no panel", [&](const json& s) { return s["picture"][0] > width && !s["panel"]; });
+    quit();
+}
+
+TEST_F(WindowGLTest, CubeMapsArePlacedChosenAndRemoved) {
+    start(with(kSmall, {"--marks"}));
+    waitForRest();
+    ASSERT_EQ(state()["cube_maps"].size(), 1U);
+    drag(100, 500, 160, 560);
+    key("m");
+    waitFor("two cube maps", [](const json& s) { return s["cube_maps"].size() == 2; });
+    EXPECT_FALSE(state()["chosen"].is_null());
+    key("Delete");
+    waitFor("one cube map", [](const json& s) { return s["cube_maps"].size() == 1; });
+    EXPECT_TRUE(state()["chosen"].is_null());
+    quit();
+}
+
+TEST_F(WindowGLTest, TheTruthComesIsMeasuredAndForgottenWhenTheCameraMoves) {
+    start(with(kSmall, {"--truth-rays", "16", "--compare", "truth"}));
+    waitFor("a truth", [](const json& s) { return s["truth"]["rays"] == 16; });
+    waitForRest();
+    EXPECT_EQ(state()["truth"]["progress"], 1.0);
+    EXPECT_GT(state()["truth"]["rmse"], 0.0);
+    EXPECT_LT(state()["truth"]["rmse"], 0.3);
+
+    const json before = state();
+    drag(160, 300, 240, 310); // the line
+    waitFor("a moved line",
+            [](const json& s) { return std::abs(s["split"].get<double>() - 0.75) < 0.02; });
+    EXPECT_EQ(state()["eye"], before["eye"]);
+    EXPECT_EQ(state()["truth"]["rays"], 16);
+
+    drag(60, 300, 90, 300);
+    waitFor("another truth", [&](const json& s) {
+        return s["eye"] != before["eye"] && s["truth"]["rays"] == 16 &&
+               s["truth"]["noise"] != before["truth"]["noise"];
+    });
+    key("c");
+    waitFor("the difference", [](const json& s) { return s["rival"] == "difference"; });
+    waitForRest();
+    quit();
+}
+
+TEST_F(WindowGLTest, FilesAreOpenedAndBadOnesLeaveTheOldScene) {
+    write("broken.glb", "not a model");
+    write("triangle.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    start(kSmall);
+    const json place = state()["widgets"]["path"];
+    const auto openByPath = [&](const std::string& name) {
+        click(place[0].get<double>() + 20.0, place[1].get<double>() + 8.0);
+        pressKey("ctrl+a");
+        type(path(name).string());
+        pressKey("Return");
+    };
+    openByPath("broken.glb");
+    waitFor("the reason", [](const json& s) {
+        return s["message"].get<std::string>().find("broken.glb") != std::string::npos;
+    });
+    EXPECT_EQ(state()["scene"], "cornell");
+    EXPECT_EQ(state()["mode"], "orbit") << "letters that are typed are no commands";
+    openByPath("triangle.obj");
+    waitFor("the triangle", [](const json& s) { return s["triangles"] == 1; });
+#ifdef AOLIB_TEST_X11
+    write("dropped.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 4 3\n");
+    EXPECT_EQ(dropFile(display().name(), window(), path("dropped.obj").string()), "");
+    waitFor("what was dropped", [](const json& s) { return s["triangles"] == 2; });
+#endif
+    waitForRest();
+    quit();
+}
+
+/// What the window shows is what "aolib render" draws of the case that it saves.
+TEST_F(WindowGLTest, ACaseGivesTheSamePictureWithoutAWindow) {
+    start({"room", "--width", "300", "--height", "200", "--no-panel", "--compare", "host",
+           "--estimator", "ray-traced", "--texel-rays", "4", "--no-repair", "--face-size", "32",
+           "--screenshot", "shown.png"});
+    drag(60, 100, 70, 104);
+    waitForRest();
+    key("F11");
+    waitFor("a case", [](const json& s) {
+        return s["message"].get<std::string>().find("saved") != std::string::npos;
+    });
+    input({"sleep", "6.5"}); // the message goes
+    waitForRest();
+    quit();
+
+    std::istringstream log(bytesOf("log"));
+    std::vector<std::string> words;
+    for (std::string line; std::getline(log, line);) {
+        if (line.starts_with("aolib render ")) {
+            std::istringstream command(line.substr(std::string("aolib ").size()));
+            for (std::string word; command >> word;) {
+                words.push_back(word);
+            }
+        }
+    }
+    ASSERT_FALSE(words.empty()) << bytesOf("log");
+    words.insert(words.end(), {"--colour", "colour.png", "--composite", "composite.png"});
+    const ProgramRun rendered = run(words);
+    ASSERT_EQ(rendered.exitCode, 0) << rendered.err;
+    const ByteImage shown = picture("shown.png");
+    const ByteImage composite = picture("composite.png");
+    const ByteImage colour = picture("colour.png");
+    ASSERT_EQ(shown.width, 300);
+    ASSERT_EQ(shown.height, 200);
+    // Without the labels at the top and the line in the middle; rounding of the last bit.
+    EXPECT_LE(worstDifference(shown, composite, 0, 140, 0, 160), 1);
+    EXPECT_LE(worstDifference(shown, colour, 160, 300, 0, 160), 1);
+    EXPECT_LT(meanBrightness(composite, 0, 300, 0, 200),
+              meanBrightness(colour, 0, 300, 0, 200) - 2);
+}
+
+TEST_F(WindowGLTest, WithoutADisplayItSaysSo) {
+    const ProgramRun refused = run({"view", "cornell"}, {{"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}});
+    EXPECT_EQ(refused.exitCode, 3);
+    EXPECT_NE(refused.err.find("GLFW"), std::string::npos) << refused.err;
+}
+
+TEST_F(WindowGLTest, BadArgumentsOpenNoWindow) {
+    for (const std::vector<std::string>& arguments :
+         {std::vector<std::string>{"view", "nowhere.glb"},
+          {"view", "cornell", "--screenshot", "picture.jpg"},
+          {"view", "cornell", "--folder", "nowhere"},
+          {"view", "cornell", "--compare", "nothing"},
+          {"view", "cornell", "--split", "2"}}) {
+        const ProgramRun refused = run(arguments, environment());
+        EXPECT_EQ(refused.exitCode, 2) << arguments.back() << refused.err;
+        EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
+    }
+    EXPECT_TRUE(names().empty());
+}
+
+} // namespace
+
+} // namespace aolib::test

@@ -1,0 +1,39 @@
+#include "viewer/SplitLine.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace aolib::viewer {
+
+namespace {
+
+/// How near the mouse must be to take hold, pixels.
+constexpr float kReach = 8.0F;
+/// The line stays where it can be grasped, shares of the width.
+constexpr float kMargin = 0.01F;
+
+} // namespace
+
+void SplitLine::place(float share) {
+    share_ = std::clamp(share, kMargin, 1.0F - kMargin);
+}
+
+bool SplitLine::near(float x, float width) const {
+    return std::abs(x - share_ * width) <= kReach;
+}
+
+bool SplitLine::follow(float x, float width, bool pressed, bool held) {
+    if (pressed && near(x, width)) {
+        dragging_ = true;
+        grip_ = x - share_ * width;
+    }
+    dragging_ = dragging_ && held;
+    if (!dragging_ || !(width > 0.0F)) {
+        return false;
+    }
+    const float before = share_;
+    place((x - grip_) / width);
+    return share_ != before;
+}
+
+} // namespace aolib::viewer

@@ -11,7 +11,7 @@ std::filesystem::path nextNumberedFile(const std::filesystem::path& folder,
     for (int number = 1;; ++number) {
         char name[40];
         std::snprintf(name, sizeof name, "aolib-view-%03d", number);
-        std::filesystem::path file = folder / (name + ending);
+        std::filesystem::path file = (folder / (name + ending)).lexically_normal();
         if (!std::filesystem::exists(file, ignored)) {
             return file;
         }

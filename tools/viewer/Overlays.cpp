@@ -11,6 +11,7 @@ namespace {
 constexpr float kMargin = 10.0F;
 constexpr float kHandle = 12.0F; ///< half of its height, pixels
 constexpr float kOpacity = 0.94F;
+constexpr float kHelpWidth = 41.0F; ///< of its rows, font sizes
 constexpr ImU32 kDark = IM_COL32(0, 0, 0, 150);
 
 struct MouseRow {
@@ -42,13 +43,16 @@ void label(ImDrawList& list, const ImVec2& at, const std::string& text) {
 
 } // namespace
 
-void drawHelp(const glm::vec2& size) {
-    ImGui::SetNextWindowPos({0.5F * size.x, 0.5F * size.y}, ImGuiCond_Always, {0.5F, 0.5F});
+void drawHelp(const glm::vec2& picture, const glm::vec2& window) {
+    const bool narrow = picture.x < kHelpWidth * ImGui::GetFontSize();
+    const glm::vec2 middle = 0.5F * (narrow ? window : picture);
+    ImGui::SetNextWindowPos({middle.x, middle.y}, ImGuiCond_Always, {0.5F, 0.5F});
+    ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {window.x, window.y}); // and scroll
     ImGui::SetNextWindowBgAlpha(kOpacity);
     ImGui::Begin("Keys and mouse", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
-                     ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoNav |
-                     ImGuiWindowFlags_NoFocusOnAppearing);
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_AlwaysAutoResize |
+                     ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
     for (const MouseRow& mouse : kMouse) {
         row(mouse.what, mouse.help);
     }

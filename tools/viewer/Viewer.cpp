@@ -280,7 +280,7 @@ void Viewer::drawGui() {
     }
     messages_.draw(size);
     if (state_.help) {
-        drawHelp(size);
+        drawHelp(size, glm::vec2(window_->size()));
     }
     const gl::Functions& gl = window_->session().gl();
     gl.BindFramebuffer(GL_FRAMEBUFFER, 0);

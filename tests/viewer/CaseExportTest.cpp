@@ -56,6 +56,7 @@ TEST(CaseExportTest, TheCommandHasWhatACaseHasNot) {
     options.radius = 3.0F;
     options.estimator = Estimator::RayTraced;
     options.rayTraced.rays = 64;
+    options.frameBudget = 30.0F; // says when, not what
     EXPECT_EQ(renderCommand("a.json", options, {}),
               "aolib render --case a.json --estimator ray-traced --texel-rays 64");
     CubeMapInfo cubeMap;

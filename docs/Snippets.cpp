@@ -49,10 +49,7 @@ void Host::overManyFrames() {
 void Host::rays() {
     auto tracer = aolib::createTexelTracer(); // workers: one per core but one, unless told
     if (tracer) {
-        ao->setTexelTracer(std::move(*tracer));
-        options.estimator = aolib::Estimator::RayTraced;
-        options.frameBudget = 4.0F; // for taking results; 0 waits until a cube map is traced whole
-        ao->setOptions(options);
+        ao->setTexelTracer(std::move(*tracer)); // Estimator::Automatic, the default, takes it
     }
 }
 

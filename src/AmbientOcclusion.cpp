@@ -4,6 +4,7 @@
 
 #include "CheckOptions.h"
 #include "HostView.h"
+#include "backbone/Estimators.h"
 #include "backbone/MakeBackbone.h"
 #include "gl/StateGuard.h"
 #include "scene/SceneBuilder.h"
@@ -36,7 +37,8 @@ Status checkBox(const Bounds& box) {
 
 struct AmbientOcclusion::Impl {
     gl::Functions gl;
-    Options options;
+    Options options; ///< as the host gave them
+    Options inForce; ///< the same, with an estimator in place of Estimator::Automatic
     Scene scene;
     SceneBuilder builder;
     gl::VertexArray generated;
@@ -49,7 +51,7 @@ struct AmbientOcclusion::Impl {
     Status lastStatus;
     MessageSink sink;
 
-    BackboneContext context() { return {gl, generated, scene, options, tracer, renderer}; }
+    BackboneContext context() { return {gl, generated, scene, inForce, tracer, renderer}; }
 
     Status report(Status status) {
         if (!status) {
@@ -66,6 +68,20 @@ struct AmbientOcclusion::Impl {
         return result;
     }
 
+    /// Puts options into force, with the estimator that suits the scene and the tracer as they are.
+    void enforce() {
+        inForce = options;
+        inForce.estimator = chosenEstimator(options, scene, tracer != nullptr);
+    }
+    /// Before the backbone works: the scene or the tracer may call for another estimator by now.
+    void followChoice() {
+        const Options before = inForce;
+        enforce();
+        if (before.estimator != inForce.estimator) {
+            backbone->optionsChanged(before);
+        }
+    }
+
     /// Ok, but within the host's scene renderer.
     Status allowed() const {
         return rendering ? Status(StatusCode::InvalidCallOrder,
@@ -80,6 +96,7 @@ struct AmbientOcclusion::Impl {
             return status;
         }
         const gl::StateGuard guard(gl);
+        followChoice();
         return call(*backbone);
     }
 
@@ -103,6 +120,7 @@ Result<AmbientOcclusion> AmbientOcclusion::create(const ProcAddressLoader& loade
     auto impl = std::make_unique<Impl>();
     impl->gl = *functions;
     impl->options = options;
+    impl->enforce();
     const gl::StateGuard guard(impl->gl);
     auto generated = gl::VertexArray::createEmpty(impl->gl, "aolib/generated");
     if (!generated) {
@@ -132,20 +150,21 @@ Status AmbientOcclusion::setOptions(const Options& options) {
         return impl_->report(std::move(status));
     }
     const Options before = std::exchange(impl_->options, options);
+    const Options beforeInForce = impl_->inForce;
+    impl_->enforce();
     if (before.backbone == options.backbone) {
-        impl_->backbone->optionsChanged(before);
+        impl_->backbone->optionsChanged(beforeInForce);
         return {};
     }
-    status = impl_->guarded([&](AbstractBackbone& /*old*/) {
-        auto backbone = makeBackbone(impl_->context());
-        if (backbone) {
-            impl_->backbone = std::move(*backbone);
-        }
-        return backbone.status();
-    });
-    if (!status) {
-        impl_->options = before;
+    const gl::StateGuard guard(impl_->gl);
+    auto backbone = makeBackbone(impl_->context());
+    if (backbone) {
+        impl_->backbone = std::move(*backbone);
+        return {};
     }
+    status = backbone.status();
+    impl_->options = before;
+    impl_->inForce = beforeInForce;
     return impl_->report(std::move(status));
 }
 
@@ -310,6 +329,7 @@ Status AmbientOcclusion::Impl::drawEnd(const glm::vec3& position) {
     if (Status status = HostView::takeTarget(guard, *frame); !status) {
         return status;
     }
+    followChoice();
     return backbone->drawEnd(*frame);
 }
 
@@ -325,6 +345,7 @@ Result<TextureName> AmbientOcclusion::aoApply(const HostTextures& textures,
     const auto apply = [&]() -> Result<TextureName> {
         const gl::StateGuard guard(impl_->gl);
         frame->srgb = guard.hostSrgb();
+        impl_->followChoice();
         return impl_->backbone->apply(*frame, textures);
     };
     return impl_->report(apply());
@@ -333,7 +354,9 @@ Result<TextureName> AmbientOcclusion::aoApply(const HostTextures& textures,
 // ---- Results ------------------------------------------------------------------------------------
 
 Statistics AmbientOcclusion::statistics() const {
-    return impl_->backbone->statistics();
+    Statistics statistics = impl_->backbone->statistics();
+    statistics.estimator = impl_->inForce.estimator;
+    return statistics;
 }
 
 Result<VisibilityImage> AmbientOcclusion::readVisibility() {

@@ -27,7 +27,8 @@ inline constexpr std::array kBackboneChoices{
 inline constexpr std::array kEstimatorChoices{
     OptionChoice<Estimator>{Estimator::HorizonSplit, "horizon-split"},
     OptionChoice<Estimator>{Estimator::LayeredIntervals, "layered-intervals"},
-    OptionChoice<Estimator>{Estimator::RayTraced, "ray-traced"}};
+    OptionChoice<Estimator>{Estimator::RayTraced, "ray-traced"},
+    OptionChoice<Estimator>{Estimator::Automatic, "automatic"}};
 inline constexpr std::array kProjectionMethodChoices{
     OptionChoice<ProjectionMethod>{ProjectionMethod::SinglePass, "single-pass"},
     OptionChoice<ProjectionMethod>{ProjectionMethod::PingPong, "ping-pong"}};

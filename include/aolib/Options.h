@@ -23,6 +23,8 @@ enum class Estimator : std::uint8_t {
     LayeredIntervals, ///< slices through the cube's centre over layers of solid intervals
     RayTraced, ///< rays, on worker threads in the background, about geometric normals; needs a
                ///< texel tracer (AmbientOcclusion::setTexelTracer)
+    Automatic, ///< RayTraced where it can be: there is a texel tracer, all geometry is given as
+               ///< triangles, and none with normals of its own; else LayeredIntervals
 };
 
 /// How cube maps reach the host's picture. Both give the same pixels.
@@ -95,7 +97,7 @@ struct BlurOptions {
 /// Everything a host may set. An aggregate: take the defaults and change what matters.
 struct Options {
     Backbone backbone = Backbone::Cubemapped;
-    Estimator estimator = Estimator::HorizonSplit;
+    Estimator estimator = Estimator::Automatic;
     float radius = 0.0F; ///< world units; 0 derives 10% of the diagonal of the scene's bounding box
     Falloff falloff = Falloff::Step;
     float contrast = 1.0F; ///< alpha of thesis eq. 4.11, i = i_s ((1 - a) + a W); 0 to 1

@@ -6,6 +6,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <aolib/Options.h>
 #include <aolib/Scene.h>
 
 namespace aolib {
@@ -25,15 +26,16 @@ struct CubeMapInfo {
 
 /// What the latest frame did and cost.
 struct Statistics {
-    std::uint64_t frame = 0;         ///< frames ended so far
-    float coverage = -1.0F;          ///< share of geometry pixels that are shaded; -1 until known
-    std::uint64_t coverageFrame = 0; ///< the frame that `coverage` was counted in
-    int cubeMapsProjected = 0;       ///< in the latest frame
-    int cubeMapsBuilt = 0;           ///< in the latest frame, placed or rebuilt
+    std::uint64_t frame = 0;                    ///< frames ended so far
+    Estimator estimator = Estimator::Automatic; ///< in force: the one that Automatic chose, too
+    float coverage = -1.0F;            ///< share of geometry pixels that are shaded; -1 until known
+    std::uint64_t coverageFrame = 0;   ///< the frame that `coverage` was counted in
+    int cubeMapsProjected = 0;         ///< in the latest frame
+    int cubeMapsBuilt = 0;             ///< in the latest frame, placed or rebuilt
     std::uint64_t cubeMapsEvicted = 0; ///< so far, to keep the memory budget
-    std::size_t pixelsTraced = 0;    ///< of a view at rest, by themselves: finer than texels
-    float computed = 1.0F;           ///< share of the passes that the latest frame's cube maps need
-    bool converged = true;           ///< nothing is left to compute for what the latest frame shows
+    std::size_t pixelsTraced = 0;      ///< of a view at rest, by themselves: finer than texels
+    float computed = 1.0F;     ///< share of the passes that the latest frame's cube maps need
+    bool converged = true;     ///< nothing is left to compute for what the latest frame shows
     double frameGpuMs = -1.0;  ///< GPU time of aolib's passes in an earlier frame; -1 until known
     std::size_t bytesKept = 0; ///< GPU memory of all cube maps
     std::size_t bytesBuilding = 0; ///< GPU memory held for cube maps on their way; given back

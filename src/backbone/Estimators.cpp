@@ -1,5 +1,6 @@
 #include "backbone/Estimators.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace aolib {
@@ -24,6 +25,8 @@ int strideOf(int n) {
 
 EstimatorTraits traitsOf(Estimator estimator) {
     switch (estimator) {
+    case Estimator::Automatic: // never in force
+        break;
     case Estimator::HorizonSplit:
         return {"horizon_split", false};
     case Estimator::LayeredIntervals:
@@ -32,6 +35,18 @@ EstimatorTraits traitsOf(Estimator estimator) {
         return {"", false};
     }
     return {};
+}
+
+Estimator chosenEstimator(const Options& options, const Scene& scene, bool tracer) {
+    if (options.estimator != Estimator::Automatic) {
+        return options.estimator;
+    }
+    const auto& meshes = scene.meshes();
+    const bool traceable = options.backbone == Backbone::Cubemapped && tracer && !scene.drawn() &&
+                           std::all_of(meshes.begin(), meshes.end(), [](const auto& mesh) {
+                               return mesh.second.normals.empty(); // rays are about geometric ones
+                           });
+    return traceable ? Estimator::RayTraced : Estimator::LayeredIntervals;
 }
 
 float assumedThickness(const Options& options, float radius) {

@@ -5,6 +5,7 @@
 #include <aolib/Options.h>
 
 #include "gl/GLSLShader.h"
+#include "scene/Scene.h"
 
 namespace aolib {
 
@@ -14,6 +15,10 @@ struct EstimatorTraits {
     bool layered; ///< reads layers of solid intervals instead of the nearest surface alone
 };
 EstimatorTraits traitsOf(Estimator estimator);
+
+/// The estimator in force where the options leave the choice.
+/// @param tracer  whether the host gave one.
+Estimator chosenEstimator(const Options& options, const Scene& scene, bool tracer);
 
 /// Share of the scene's diagonal that a derived radius has (thesis 4.3.2 derives likewise).
 inline constexpr float kRadiusShare = 0.1F;

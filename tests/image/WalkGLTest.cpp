@@ -34,6 +34,7 @@ std::vector<glm::vec3> strides(const std::vector<glm::vec3>& corners) {
 TEST_P(WalkGLTest, CoverageNeverStaysBelowTheThreshold) {
     const Model model = buildTown();
     Options options;
+    options.estimator = Estimator::HorizonSplit;
     options.frameBudget = 0.0F;
     options.cubeMaps.faceSize = 64;
     options.horizonSplit = {.directions = 2, .steps = 2};

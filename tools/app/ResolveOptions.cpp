@@ -17,7 +17,7 @@ constexpr float kFrameBudget = 50.0F;
 Options resolveOptions(const View& view, const OptionFlags& flags) {
     Options options = view.options;
     flags.apply(options, view.diagonal);
-    if (!flags.given("estimator")) {
+    if (options.estimator == Estimator::Automatic) {
         const bool traceable = options.backbone == Backbone::Cubemapped &&
                                view.normals == host::SceneNormals::Geometric;
         options.estimator = traceable ? kTraced : kNotTraceable;

@@ -1,6 +1,8 @@
 // Every misuse of the facade has its code, and harms nothing that was there.
 #include <limits>
 
+#include <aolib/RayTracing.h>
+
 #include "SmallScene.h"
 #include "gl/RenderToTexture2D.h"
 
@@ -58,6 +60,39 @@ TEST_P(FacadeGLTest, TheSinkHearsEveryFailure) {
     (void)ao.meshBegin();
     EXPECT_EQ(heard, (std::vector{StatusCode::InvalidCallOrder, StatusCode::UnknownMesh}));
     EXPECT_EQ(ao.lastStatus().code(), StatusCode::UnknownMesh);
+}
+
+TEST_P(FacadeGLTest, AutomaticTakesTheEstimatorThatSceneAndTracerAllow) {
+    Options options;
+    options.cubeMaps.faceSize = 16;
+    AmbientOcclusion ao = make(options);
+    const std::vector<glm::vec3> positions{{-1, 0, -1}, {1, 0, -1}, {0, 0, 1}};
+    const std::vector<glm::vec3> normals(3, glm::vec3(0, 1, 0));
+    const std::vector<std::uint32_t> indices{0, 1, 2};
+    const auto inForce = [&] {
+        EXPECT_TRUE(ao.addCubeMap({0, 1, 0}).ok()) << ao.lastStatus().message();
+        EXPECT_EQ(ao.options().estimator, Estimator::Automatic);
+        return ao.statistics().estimator;
+    };
+    EXPECT_TRUE(ao.addMesh({positions, {}, indices}).ok());
+    EXPECT_EQ(inForce(), Estimator::LayeredIntervals) << "without a tracer";
+    ao.setTexelTracer(std::move(*createTexelTracer(1)));
+    EXPECT_EQ(inForce(), Estimator::RayTraced);
+    const Result<MeshId> smooth = ao.addMesh({positions, normals, indices});
+    ASSERT_TRUE(smooth.ok());
+    EXPECT_EQ(inForce(), Estimator::LayeredIntervals) << "with normals of the host's own";
+    EXPECT_TRUE(ao.removeMesh(*smooth).ok());
+    EXPECT_EQ(inForce(), Estimator::RayTraced);
+    EXPECT_TRUE(ao.setSceneRenderer([](const FaceView&) {}, {-1, -1, -1}, {1, 1, 1}).ok());
+    EXPECT_EQ(inForce(), Estimator::LayeredIntervals) << "with a scene renderer";
+    EXPECT_TRUE(ao.setSceneRenderer(nullptr, {}, {}).ok());
+    options.estimator = Estimator::HorizonSplit;
+    EXPECT_TRUE(ao.setOptions(options).ok());
+    EXPECT_EQ(ao.statistics().estimator, Estimator::HorizonSplit);
+    options.estimator = Estimator::Automatic;
+    options.backbone = Backbone::ScreenSpace;
+    EXPECT_TRUE(ao.setOptions(options).ok());
+    EXPECT_EQ(ao.statistics().estimator, Estimator::LayeredIntervals) << "in screen space";
 }
 
 TEST_P(FacadeGLTest, SceneDefinitionAsInTheThesis) {

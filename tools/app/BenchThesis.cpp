@@ -159,7 +159,9 @@ void attach(CLI::App& command, ThesisFlags& flags) {
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     Choices<Estimator> estimators;
     for (const auto& choice : kEstimatorChoices) {
-        estimators.emplace_back(std::string(choice.name), choice.value);
+        if (choice.value != Estimator::Automatic) { // a figure is of one that it names
+            estimators.emplace_back(std::string(choice.name), choice.value);
+        }
     }
     addChoice<Estimator>(
         command, "--estimator", estimators,

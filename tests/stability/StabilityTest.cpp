@@ -25,6 +25,8 @@ double StabilityTest::forEach(double horizonSplit, double layeredIntervals, doub
         return layeredIntervals;
     case Estimator::RayTraced:
         return rayTraced;
+    case Estimator::Automatic: // not tested apart
+        break;
     }
     return 0.0;
 }
@@ -95,6 +97,8 @@ std::string nameOfEstimator(const testing::TestParamInfo<Estimator>& info) {
         return "LayeredIntervals";
     case Estimator::RayTraced:
         return "RayTraced";
+    case Estimator::Automatic:
+        return "Automatic";
     }
     return {};
 }

@@ -6,17 +6,16 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "app/BakeInput.h"
 #include "app/BakePlan.h"
+#include "app/BenchOutput.h"
 #include "app/GlSession.h"
 #include "app/Interruption.h"
 #include "app/NumberFlags.h"
 #include "app/ParseValues.h"
-#include "app/Progress.h"
 #include "bench/MachineInfo.h"
 #include "bench/TextFile.h"
 #include "bench/bake/BakeTable.h"
@@ -127,16 +126,9 @@ MaybeFailure benchBake(const BenchBakeFlags& flags) {
     if (!session) {
         return session.failure();
     }
-    std::error_code code;
-    fs::create_directories(flags.out, code);
-    if (code) {
-        return badInput("--out " + flags.out + ": cannot be made: " + code.message());
+    if (MaybeFailure failure = makeOutFolder(flags.out)) {
+        return failure;
     }
-    const auto tell = [&](const std::string& next, double done) {
-        progress.begin(next);
-        progress.update(done);
-        return !Interruption::happened();
-    };
     const fs::path folder(flags.out);
     bench::BakeMemory memory;
     if (flags.resume) {
@@ -148,7 +140,7 @@ MaybeFailure benchBake(const BenchBakeFlags& flags) {
     memory.keep = [&](const std::vector<bench::BakeRow>& rows) {
         static_cast<void>(bench::writeText(folder / "bake.csv", bench::bakeCsv(rows)));
     };
-    const auto rows = bench::runBakePlan(*plan, memory, session->loader(), tell);
+    const auto rows = bench::runBakePlan(*plan, memory, session->loader(), stagesOn(progress));
     progress.pause();
     if (!rows) {
         return Failure{ExitCode::Failed, rows.status().message()};

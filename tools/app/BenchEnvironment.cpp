@@ -4,14 +4,13 @@
 #include <iostream>
 #include <memory>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
+#include "app/BenchOutput.h"
 #include "app/GlSession.h"
 #include "app/Interruption.h"
 #include "app/NumberFlags.h"
-#include "app/Progress.h"
 #include "bench/MachineInfo.h"
 #include "bench/TextFile.h"
 #include "bench/environment/EnvironmentTable.h"
@@ -136,17 +135,11 @@ MaybeFailure benchEnvironment(const BenchEnvironmentFlags& flags) {
     if (!session) {
         return session.failure();
     }
-    std::error_code code;
-    fs::create_directories(flags.out, code);
-    if (code) {
-        return badInput("--out " + flags.out + ": cannot be made: " + code.message());
+    if (MaybeFailure failure = makeOutFolder(flags.out)) {
+        return failure;
     }
-    const auto tell = [&](const std::string& next, double done) {
-        progress.begin(next);
-        progress.update(done);
-        return !Interruption::happened();
-    };
-    const auto figures = bench::runEnvironmentPlan(*plan, session->gl(), session->loader(), tell);
+    const auto figures =
+        bench::runEnvironmentPlan(*plan, session->gl(), session->loader(), stagesOn(progress));
     progress.pause();
     if (!figures) {
         return Failure{ExitCode::Failed, figures.status().message()};

@@ -9,12 +9,12 @@
 #include <utility>
 #include <vector>
 
+#include "app/BenchOutput.h"
 #include "app/CommandLineText.h"
 #include "app/GlSession.h"
 #include "app/NumberFlags.h"
 #include "app/ParetoReport.h"
 #include "app/ParseValues.h"
-#include "app/Progress.h"
 #include "bench/CaseTable.h"
 #include "bench/MethodTable.h"
 #include "bench/ParetoFiles.h"
@@ -119,10 +119,8 @@ Outcome<bench::ParetoSettings> settingsOf(const ParetoFlags& flags) {
     settings.patience = flags.patience;
     settings.out = flags.out;
     settings.cache = flags.cache.empty() ? settings.out / "truth" : fs::path(flags.cache);
-    std::error_code error;
-    fs::create_directories(settings.out, error);
-    if (error) {
-        return badInput("--out " + flags.out + ": " + error.message());
+    if (MaybeFailure failure = makeOutFolder(flags.out)) {
+        return *failure;
     }
     return settings;
 }
@@ -158,12 +156,7 @@ MaybeFailure run(const ParetoFlags& flags, const std::string& line) {
               << " pixels, truth with " << settings->truth.rays << " rays per point\n";
     Progress progress;
     bench::ParetoReports reports;
-    reports.stage = [&](const std::string& stage) { progress.begin(stage); };
-    reports.progress = [&](double fraction) { progress.update(fraction); };
-    reports.warn = [&](const std::string& remark) {
-        progress.pause();
-        std::cerr << "aolib: warning: " << remark << '\n';
-    };
+    showOn(progress, reports);
     reports.caseDone = [&](const std::vector<bench::ParetoRow>& rows) {
         return writeAll(*settings, rows);
     };

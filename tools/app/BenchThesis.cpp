@@ -1,21 +1,19 @@
 #include "app/BenchThesis.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
 #include <aolib/OptionFields.h>
 
+#include "app/BenchOutput.h"
 #include "app/CommandLineText.h"
 #include "app/GlSession.h"
 #include "app/NumberFlags.h"
-#include "app/Progress.h"
 #include "app/Table.h"
 #include "bench/ThesisFiles.h"
 #include "bench/ThesisPlots.h"
@@ -24,8 +22,6 @@
 namespace aolib::app {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr int kMostRepeats = 100;
 constexpr bench::PictureSize kQuickSize{320, 180};
@@ -80,10 +76,8 @@ Outcome<bench::ThesisRunSettings> settingsOf(const ThesisFlags& flags) {
     }
     settings.patience = flags.patience;
     settings.out = flags.out;
-    std::error_code error;
-    fs::create_directories(settings.out, error);
-    if (error) {
-        return badInput("--out " + flags.out + ": " + error.message());
+    if (MaybeFailure failure = makeOutFolder(flags.out)) {
+        return *failure;
     }
     return settings;
 }
@@ -125,12 +119,7 @@ MaybeFailure run(const ThesisFlags& flags, const std::string& line) {
     std::cout << session->describe() << '\n';
     Progress progress;
     bench::ThesisReports reports;
-    reports.stage = [&](const std::string& stage) { progress.begin(stage); };
-    reports.progress = [&](double fraction) { progress.update(fraction); };
-    reports.warn = [&](const std::string& remark) {
-        progress.pause();
-        std::cerr << "aolib: warning: " << remark << '\n';
-    };
+    showOn(progress, reports);
     reports.sceneDone = [&](const std::vector<bench::ThesisRow>& rows) {
         std::string reason = bench::writeThesisFiles(*settings, rows);
         return reason.empty() ? bench::writeThesisPlots(*settings, rows) : reason;

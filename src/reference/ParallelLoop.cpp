@@ -4,6 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <exception>
 #include <mutex>
 #include <stop_token>
 #include <thread>
@@ -39,13 +40,21 @@ bool parallelLoop(std::size_t count, int threads,
     std::size_t done = 0;
     unsigned running = workerCount(threads, pieces);
     bool cancelled = false;
+    std::exception_ptr thrown; // the first; a thread that lets one go ends the program
 
     const auto work = [&](const std::stop_token& stop) {
-        for (std::size_t piece = next++; piece < pieces && !stop.stop_requested(); piece = next++) {
-            const std::size_t begin = piece * pieceLength;
-            body(begin, std::min(begin + pieceLength, count));
+        try {
+            for (std::size_t piece = next++; piece < pieces && !stop.stop_requested();
+                 piece = next++) {
+                const std::size_t begin = piece * pieceLength;
+                body(begin, std::min(begin + pieceLength, count));
+                const std::scoped_lock lock(mutex);
+                ++done;
+            }
+        } catch (...) {
             const std::scoped_lock lock(mutex);
-            ++done;
+            thrown = thrown ? thrown : std::current_exception();
+            next = pieces; // nobody begins another
         }
         const std::scoped_lock lock(mutex);
         --running;
@@ -65,10 +74,13 @@ bool parallelLoop(std::size_t count, int threads,
         }
         lock.lock();
     }
+    lock.unlock();
+    if (thrown) {
+        std::rethrow_exception(thrown);
+    }
     if (done < pieces) {
         return false;
     }
-    lock.unlock();
     if (progress) {
         progress(1.0);
     }

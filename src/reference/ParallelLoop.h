@@ -12,7 +12,7 @@ using TraceProgress = std::function<bool(double fraction)>;
 /// Runs `body(begin, end)` over [0, count) in small pieces on worker threads and waits for them.
 /// The pieces' order is not fixed: a body must write only what its own indices name.
 /// @param threads  workers; 0 takes one per core.
-/// @param body     must not throw.
+/// @param body     what it throws ends the loop, and is thrown here once all workers have stopped.
 /// Returns false when `progress` cancelled it before all was done. Pieces begun are finished.
 bool parallelLoop(std::size_t count, int threads,
                   const std::function<void(std::size_t begin, std::size_t end)>& body,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <new>
 #include <thread>
 #include <vector>
 
@@ -66,6 +67,29 @@ TEST(ParallelLoop, CancelledMidwayStopsSoon) {
         [](double fraction) { return fraction == 0.0; }));
     EXPECT_GT(pieces, 0);
     EXPECT_LT(pieces, allPieces);
+}
+
+TEST(ParallelLoop, WhatABodyThrowsComesOutAndEndsTheLoop) {
+    constexpr std::size_t kCount = 100000;
+    std::atomic<std::size_t> visited{0};
+    double latest = 0.0;
+    const auto run = [&] {
+        parallelLoop(
+            kCount, 4,
+            [&](std::size_t begin, std::size_t end) {
+                if (begin == 160) {
+                    throw std::bad_alloc();
+                }
+                visited += end - begin;
+            },
+            [&](double fraction) {
+                latest = fraction;
+                return true;
+            });
+    };
+    EXPECT_THROW(run(), std::bad_alloc);
+    EXPECT_LT(visited, kCount);
+    EXPECT_LT(latest, 1.0);
 }
 
 } // namespace

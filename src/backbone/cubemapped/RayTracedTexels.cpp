@@ -269,6 +269,9 @@ bool RayTracedTexels::add(Tile& sums, const TracedTexels& traced) {
 }
 
 Status RayTracedTexels::take(CubeMapProjector& projector, const TracedTexels& traced, int tile) {
+    if (projector.tiles.passes(tile) >= passes()) {
+        return {}; // traced twice: the sums of a complete tile are gone, these would begin new ones
+    }
     Work& work = workOf(projector.id());
     Tile& sums = work.tiles[tile];
     if (!add(sums, traced)) {
@@ -287,6 +290,9 @@ Status RayTracedTexels::take(CubeMapProjector& projector, const TracedTexels& tr
 
 Status RayTracedTexels::takeDetail(CubeMapProjector& projector, const TracedTexels& traced,
                                    int tile) {
+    if (projector.tiles.detailPasses(tile) >= passes()) {
+        return {}; // as above
+    }
     Work& work = workOf(projector.id());
     Tile& sums = work.details[tile];
     if (!projector.keeps(traced.request.face) || !add(sums, traced)) {

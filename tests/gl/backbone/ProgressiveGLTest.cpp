@@ -256,6 +256,20 @@ TEST_P(ProgressiveGLTest, TracedTexelsFollowTheClosedForm) {
     }
 }
 
+TEST_P(ProgressiveGLTest, WhatIsTracedTwiceCountsOnce) {
+    Options o = options(Estimator::RayTraced);
+    o.rayTraced = {.rays = 16, .repair = false}; // one pass
+    SmallHost host = hostWith(o);
+    ASSERT_TRUE(host.ao().addCubeMap({0.5F, 3, 5}).ok());
+    for (int frame = 0; frame < 200; ++frame) {
+        // Each view asks for more, so that what is asked of the tracer changes while it works.
+        const float angle = 0.05F * static_cast<float>(frame);
+        host.lookAt({0.5F, 3, 5}, {0.5F + std::sin(angle), 2.5F, 5 - std::cos(angle)});
+        ASSERT_TRUE(host.frame().ok());
+        ASSERT_LE(host.ao().statistics().computed, 1.0F) << "frame " << frame;
+    }
+}
+
 TEST_P(ProgressiveGLTest, TracedTexelsFollowTheScene) {
     Model floor;
     addQuad(floor, {-8, 0, -8}, {-8, 0, 8}, {8, 0, 8}, {8, 0, -8});

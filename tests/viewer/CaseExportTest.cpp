@@ -64,12 +64,12 @@ TEST(CaseExportTest, TheCommandHasWhatACaseHasNot) {
     EXPECT_EQ(renderCommand("a.json", options, {cubeMap}),
               "aolib render --case a.json --estimator ray-traced --texel-rays 64 "
               "--cube-map 0.5,1,-2");
-    options.estimator = Estimator::HorizonSplit; // the library's default, not the tool's
-    EXPECT_EQ(renderCommand("a.json", options, {}),
-              "aolib render --case a.json --estimator horizon-split --texel-rays 64");
+    options.estimator = Estimator::Automatic; // what the command takes where none is named
+    EXPECT_EQ(renderCommand("a.json", options, {}), "aolib render --case a.json --texel-rays 64");
+    options.estimator = Estimator::HorizonSplit;
     options.backbone = Backbone::ScreenSpace;
     EXPECT_EQ(renderCommand("a.json", options, {cubeMap}),
-              "aolib render --case a.json --estimator horizon-split --backbone screenspace "
+              "aolib render --case a.json --backbone screenspace --estimator horizon-split "
               "--texel-rays 64");
 }
 

@@ -66,16 +66,8 @@ std::string renderCommand(const std::string& caseFile, const Options& options,
     wanted.cubeMaps.place = held.cubeMaps.place && cubeMaps.empty();
     held.cubeMaps.place = wanted.cubeMaps.place; // naming cube maps ends the placing by itself
     std::string command = "aolib render --case " + caseFile;
-    // The tools take another estimator than the library where none is named.
-    std::string flags = optionFlags(wanted, held);
-    if (flags.find("--estimator ") == std::string::npos) {
-        for (const OptionText& text : optionTexts(wanted)) {
-            if (text.name == "estimator") {
-                flags = "--estimator " + text.value + (flags.empty() ? "" : " ") + flags;
-            }
-        }
-    }
-    command += " " + flags;
+    const std::string flags = optionFlags(wanted, held);
+    command += (flags.empty() ? "" : " ") + flags;
     if (options.backbone == Backbone::Cubemapped) {
         for (const CubeMapInfo& cubeMap : cubeMaps) {
             command += " --cube-map " + numbers(cubeMap.position);

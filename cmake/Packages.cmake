@@ -1,6 +1,7 @@
 # What `cpack -G DEB` makes of the installed parts: a package each for the shared libraries (where
 # they are shared), for those who compile against them, and for the program.
 set(CPACK_PACKAGE_NAME aolib)
+set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION}) # not that of a project around this one
 set(CPACK_PACKAGE_VENDOR aolib)
 set(CPACK_PACKAGE_CONTACT "aolib <aolib@localhost>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")

@@ -37,15 +37,18 @@ EstimatorTraits traitsOf(Estimator estimator) {
     return {};
 }
 
+bool raysTell(const Scene& scene) {
+    const auto& meshes = scene.meshes();
+    return !scene.drawn() && std::all_of(meshes.begin(), meshes.end(), [](const auto& mesh) {
+        return mesh.second.normals.empty();
+    });
+}
+
 Estimator chosenEstimator(const Options& options, const Scene& scene, bool tracer) {
     if (options.estimator != Estimator::Automatic) {
         return options.estimator;
     }
-    const auto& meshes = scene.meshes();
-    const bool traceable = options.backbone == Backbone::Cubemapped && tracer && !scene.drawn() &&
-                           std::all_of(meshes.begin(), meshes.end(), [](const auto& mesh) {
-                               return mesh.second.normals.empty(); // rays are about geometric ones
-                           });
+    const bool traceable = options.backbone == Backbone::Cubemapped && tracer && raysTell(scene);
     return traceable ? Estimator::RayTraced : Estimator::LayeredIntervals;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "backbone/Estimators.h"
 #include "backbone/cubemapped/RasterTexels.h"
 
 namespace aolib {
@@ -62,12 +63,9 @@ void BuildSchedule::askTracer() {
 bool BuildSchedule::tracesPixels() const {
     const Options& options = context_.options;
     const bool layered = options.estimator == Estimator::LayeredIntervals;
-    const auto& meshes = context_.scene.meshes();
-    return options.rayTraced.repair && context_.tracer && !meshes.empty() && !context_.renderer &&
-           (options.estimator == Estimator::RayTraced ||
-            (layered && std::all_of(meshes.begin(), meshes.end(), [](const auto& one) {
-                 return one.second.normals.empty(); // rays are about geometric ones
-             })));
+    return options.rayTraced.repair && context_.tracer && !context_.scene.meshes().empty() &&
+           !context_.renderer &&
+           (options.estimator == Estimator::RayTraced || (layered && raysTell(context_.scene)));
 }
 
 void BuildSchedule::sceneChanged() {

@@ -1,61 +1,15 @@
 #include "gl/StateGuard.h"
 
 #include <algorithm>
+#include <functional>
+
+#include "gl/GuardedNames.h"
 
 namespace aolib::gl {
 
 namespace {
 
-// Compatibility-profile names, which the core header does not declare.
-constexpr GLenum kAlphaTest = 0x0BC0;
-constexpr GLenum kPolygonStipple = 0x0B42;
-constexpr GLenum kLineStipple = 0x0B24;
-constexpr GLenum kClampFragmentColor = 0x891B;
-constexpr GLenum kPackInvert = 0x8758; // GL_PACK_INVERT_MESA
-constexpr GLenum kMapColor = 0x0D10;
-constexpr GLenum kMapStencil = 0x0D11;
-
-constexpr std::array kToggles{
-    GLenum{GL_DEPTH_TEST},
-    GLenum{GL_STENCIL_TEST},
-    GLenum{GL_CULL_FACE},
-    GLenum{GL_POLYGON_OFFSET_FILL},
-    GLenum{GL_POLYGON_OFFSET_LINE},
-    GLenum{GL_POLYGON_OFFSET_POINT},
-    GLenum{GL_POLYGON_SMOOTH},
-    GLenum{GL_LINE_SMOOTH},
-    GLenum{GL_SAMPLE_ALPHA_TO_COVERAGE},
-    GLenum{GL_SAMPLE_ALPHA_TO_ONE},
-    GLenum{GL_SAMPLE_COVERAGE},
-    GLenum{GL_SAMPLE_MASK},
-    GLenum{GL_COLOR_LOGIC_OP},
-    GLenum{GL_RASTERIZER_DISCARD},
-    GLenum{GL_PRIMITIVE_RESTART},
-    GLenum{GL_DEPTH_CLAMP},
-    GLenum{GL_FRAMEBUFFER_SRGB},
-    GLenum{GL_DITHER},
-    GLenum{GL_MULTISAMPLE},
-};
-
-constexpr std::array kPixelStore{
-    GLenum{GL_PACK_SWAP_BYTES},    GLenum{GL_PACK_LSB_FIRST},    GLenum{GL_PACK_ROW_LENGTH},
-    GLenum{GL_PACK_SKIP_ROWS},     GLenum{GL_PACK_SKIP_PIXELS},  GLenum{GL_PACK_ALIGNMENT},
-    GLenum{GL_PACK_IMAGE_HEIGHT},  GLenum{GL_PACK_SKIP_IMAGES},  GLenum{GL_UNPACK_SWAP_BYTES},
-    GLenum{GL_UNPACK_LSB_FIRST},   GLenum{GL_UNPACK_ROW_LENGTH}, GLenum{GL_UNPACK_SKIP_ROWS},
-    GLenum{GL_UNPACK_SKIP_PIXELS}, GLenum{GL_UNPACK_ALIGNMENT},  GLenum{GL_UNPACK_IMAGE_HEIGHT},
-    GLenum{GL_UNPACK_SKIP_IMAGES},
-};
-
-/// Scales of the compatibility profile's pixel transfer and, right after each, its bias.
-constexpr std::array kPixelTransferScales{
-    GLenum{0x0D14}, // GL_RED_SCALE
-    GLenum{0x0D18}, // GL_GREEN_SCALE
-    GLenum{0x0D1A}, // GL_BLUE_SCALE
-    GLenum{0x0D1C}, // GL_ALPHA_SCALE
-    GLenum{0x0D1E}, // GL_DEPTH_SCALE
-};
-
-GLint integer(const Functions& gl, GLenum name) {
+GLint queried(const Functions& gl, GLenum name) {
     GLint value = 0;
     gl.GetIntegerv(name, &value);
     return value;
@@ -71,13 +25,11 @@ bool isAlignment(GLenum name) {
 
 } // namespace
 
-StateGuard::StateGuard(const Functions& gl) : gl_(gl) {
+StateGuard::StateGuard(const Functions& gl) : gl_(gl), output_(gl) {
     saveToggles();
     saveBindings();
     savePixelPaths();
     saveRasterState();
-    saveBlendState();
-    saveViewports();
     setCleanSlate();
 }
 
@@ -85,8 +37,7 @@ StateGuard::~StateGuard() {
     restoreBindings();
     restorePixelPaths();
     restoreRasterState();
-    restoreBlendState();
-    restoreViewports();
+    output_.restore(gl_);
     restoreToggles();
     if (feedbackPaused_) {
         gl_.ResumeTransformFeedback();
@@ -158,25 +109,25 @@ void StateGuard::restoreToggles() const {
 }
 
 void StateGuard::saveBindings() {
-    drawFramebuffer_ = integer(gl_, GL_DRAW_FRAMEBUFFER_BINDING);
-    readFramebuffer_ = integer(gl_, GL_READ_FRAMEBUFFER_BINDING);
-    program_ = integer(gl_, GL_CURRENT_PROGRAM);
-    vertexArray_ = integer(gl_, GL_VERTEX_ARRAY_BINDING);
-    arrayBuffer_ = integer(gl_, GL_ARRAY_BUFFER_BINDING);
-    packBuffer_ = integer(gl_, GL_PIXEL_PACK_BUFFER_BINDING);
-    unpackBuffer_ = integer(gl_, GL_PIXEL_UNPACK_BUFFER_BINDING);
+    drawFramebuffer_ = queried(gl_, GL_DRAW_FRAMEBUFFER_BINDING);
+    readFramebuffer_ = queried(gl_, GL_READ_FRAMEBUFFER_BINDING);
+    program_ = queried(gl_, GL_CURRENT_PROGRAM);
+    vertexArray_ = queried(gl_, GL_VERTEX_ARRAY_BINDING);
+    arrayBuffer_ = queried(gl_, GL_ARRAY_BUFFER_BINDING);
+    packBuffer_ = queried(gl_, GL_PIXEL_PACK_BUFFER_BINDING);
+    unpackBuffer_ = queried(gl_, GL_PIXEL_UNPACK_BUFFER_BINDING);
     if (gl_.capabilities.queryBuffer) {
-        queryBuffer_ = integer(gl_, GL_QUERY_BUFFER_BINDING);
+        queryBuffer_ = queried(gl_, GL_QUERY_BUFFER_BINDING);
     }
-    activeTexture_ = integer(gl_, GL_ACTIVE_TEXTURE);
+    activeTexture_ = queried(gl_, GL_ACTIVE_TEXTURE);
     for (std::size_t i = 0; i < textureUnits_.size(); ++i) {
         gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
-        textureUnits_[i] = {integer(gl_, GL_TEXTURE_BINDING_2D),
-                            integer(gl_, GL_TEXTURE_BINDING_2D_ARRAY),
-                            integer(gl_, GL_SAMPLER_BINDING)};
+        textureUnits_[i] = {queried(gl_, GL_TEXTURE_BINDING_2D),
+                            queried(gl_, GL_TEXTURE_BINDING_2D_ARRAY),
+                            queried(gl_, GL_SAMPLER_BINDING)};
     }
-    if (gl_.capabilities.pauseFeedback && integer(gl_, GL_TRANSFORM_FEEDBACK_ACTIVE) == GL_TRUE &&
-        integer(gl_, GL_TRANSFORM_FEEDBACK_PAUSED) == GL_FALSE) {
+    if (gl_.capabilities.pauseFeedback && queried(gl_, GL_TRANSFORM_FEEDBACK_ACTIVE) == GL_TRUE &&
+        queried(gl_, GL_TRANSFORM_FEEDBACK_PAUSED) == GL_FALSE) {
         gl_.PauseTransformFeedback();
         feedbackPaused_ = true;
     }
@@ -204,16 +155,16 @@ void StateGuard::restoreBindings() const {
 
 void StateGuard::savePixelPaths() {
     for (const GLenum name : kPixelStore) {
-        pixelStore_.push_back({name, integer(gl_, name)});
+        pixelStore_.push_back({name, queried(gl_, name)});
     }
     if (gl_.capabilities.packInvert) {
-        pixelStore_.push_back({kPackInvert, integer(gl_, kPackInvert)});
+        pixelStore_.push_back({kPackInvert, queried(gl_, kPackInvert)});
     }
-    clampReadColor_ = integer(gl_, GL_CLAMP_READ_COLOR);
+    clampReadColor_ = queried(gl_, GL_CLAMP_READ_COLOR);
     if (!gl_.capabilities.compatibility) {
         return;
     }
-    clampFragmentColor_ = integer(gl_, kClampFragmentColor);
+    clampFragmentColor_ = queried(gl_, kClampFragmentColor);
     if (gl_.PixelTransferf == nullptr) {
         return;
     }
@@ -245,14 +196,14 @@ void StateGuard::restorePixelPaths() const {
 
 void StateGuard::saveRasterState() {
     gl_.GetBooleanv(GL_DEPTH_WRITEMASK, &depthMask_);
-    depthFunc_ = integer(gl_, GL_DEPTH_FUNC);
+    depthFunc_ = queried(gl_, GL_DEPTH_FUNC);
     gl_.GetIntegerv(GL_POLYGON_MODE, polygonMode_.data());
-    frontFace_ = integer(gl_, GL_FRONT_FACE);
-    provokingVertex_ = integer(gl_, GL_PROVOKING_VERTEX);
+    frontFace_ = queried(gl_, GL_FRONT_FACE);
+    provokingVertex_ = queried(gl_, GL_PROVOKING_VERTEX);
     gl_.GetFloatv(GL_LINE_WIDTH, &lineWidth_);
     if (gl_.capabilities.clipControl) {
-        clipOrigin_ = integer(gl_, GL_CLIP_ORIGIN);
-        clipDepthMode_ = integer(gl_, GL_CLIP_DEPTH_MODE);
+        clipOrigin_ = queried(gl_, GL_CLIP_ORIGIN);
+        clipDepthMode_ = queried(gl_, GL_CLIP_DEPTH_MODE);
     }
 }
 
@@ -270,90 +221,6 @@ void StateGuard::restoreRasterState() const {
     gl_.LineWidth(lineWidth_);
     if (gl_.capabilities.clipControl) {
         gl_.ClipControl(static_cast<GLenum>(clipOrigin_), static_cast<GLenum>(clipDepthMode_));
-    }
-}
-
-void StateGuard::saveBlendState() {
-    const bool indexed = gl_.capabilities.indexedBlend;
-    constexpr std::array<GLenum, 4> kFactors{GL_BLEND_SRC_RGB, GL_BLEND_DST_RGB, GL_BLEND_SRC_ALPHA,
-                                             GL_BLEND_DST_ALPHA};
-    constexpr std::array<GLenum, 2> kEquations{GL_BLEND_EQUATION_RGB, GL_BLEND_EQUATION_ALPHA};
-    const int buffers = gl_.capabilities.maxDrawBuffers;
-    for (int i = 0; i < (indexed ? buffers : 1); ++i) {
-        BlendState& state = blend_.emplace_back();
-        const auto get = [&](GLenum name, GLint* value) {
-            indexed ? gl_.GetIntegeri_v(name, static_cast<GLuint>(i), value)
-                    : gl_.GetIntegerv(name, value);
-        };
-        for (std::size_t k = 0; k < kFactors.size(); ++k) {
-            get(kFactors[k], &state.factors[k]);
-        }
-        for (std::size_t k = 0; k < kEquations.size(); ++k) {
-            get(kEquations[k], &state.equations[k]);
-        }
-    }
-    for (int i = 0; i < buffers; ++i) {
-        gl_.GetBooleani_v(GL_COLOR_WRITEMASK, static_cast<GLuint>(i),
-                          colorMasks_.emplace_back().data());
-    }
-}
-
-void StateGuard::restoreBlendState() const {
-    for (std::size_t i = 0; i < blend_.size(); ++i) {
-        std::array<GLenum, 4> f{};
-        std::array<GLenum, 2> e{};
-        std::copy(blend_[i].factors.begin(), blend_[i].factors.end(), f.begin());
-        std::copy(blend_[i].equations.begin(), blend_[i].equations.end(), e.begin());
-        if (gl_.capabilities.indexedBlend) {
-            gl_.BlendFuncSeparatei(static_cast<GLuint>(i), f[0], f[1], f[2], f[3]);
-        } else {
-            gl_.BlendFuncSeparate(f[0], f[1], f[2], f[3]);
-        }
-        restoreBlendEquation(static_cast<GLuint>(i), e[0], e[1]);
-    }
-    for (std::size_t i = 0; i < colorMasks_.size(); ++i) {
-        const std::array<GLboolean, 4>& m = colorMasks_[i];
-        gl_.ColorMaski(static_cast<GLuint>(i), m[0], m[1], m[2], m[3]);
-    }
-}
-
-void StateGuard::restoreBlendEquation(GLuint buffer, GLenum colour, GLenum alpha) const {
-    // The advanced equations of KHR_blend_equation_advanced exist for both at once only.
-    const bool indexed = gl_.capabilities.indexedBlend;
-    if (colour == alpha) {
-        indexed ? gl_.BlendEquationi(buffer, colour) : gl_.BlendEquation(colour);
-    } else {
-        indexed ? gl_.BlendEquationSeparatei(buffer, colour, alpha)
-                : gl_.BlendEquationSeparate(colour, alpha);
-    }
-}
-
-void StateGuard::saveViewports() {
-    gl_.GetIntegerv(GL_VIEWPORT, viewport_.data());
-    for (int i = 0; i < gl_.capabilities.maxViewports; ++i) {
-        const auto index = static_cast<GLuint>(i);
-        std::array<GLfloat, 4>& box = viewports_.emplace_back();
-        std::array<GLdouble, 2>& range = depthRanges_.emplace_back();
-        if (gl_.capabilities.viewportArray) {
-            gl_.GetFloati_v(GL_VIEWPORT, index, box.data());
-            gl_.GetDoublei_v(GL_DEPTH_RANGE, index, range.data());
-        } else {
-            gl_.GetFloatv(GL_VIEWPORT, box.data());
-            gl_.GetDoublev(GL_DEPTH_RANGE, range.data());
-        }
-    }
-}
-
-void StateGuard::restoreViewports() const {
-    if (!gl_.capabilities.viewportArray) {
-        gl_.Viewport(viewport_[0], viewport_[1], viewport_[2], viewport_[3]);
-        gl_.DepthRange(depthRanges_[0][0], depthRanges_[0][1]);
-        return;
-    }
-    for (std::size_t i = 0; i < viewports_.size(); ++i) {
-        const auto index = static_cast<GLuint>(i);
-        gl_.ViewportIndexedfv(index, viewports_[i].data());
-        gl_.DepthRangeIndexed(index, depthRanges_[i][0], depthRanges_[i][1]);
     }
 }
 

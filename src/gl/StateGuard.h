@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "gl/Functions.h"
+#include "gl/OutputState.h"
 
 namespace aolib::gl {
 
@@ -23,7 +24,7 @@ public:
 
     GLuint hostDrawFramebuffer() const { return static_cast<GLuint>(drawFramebuffer_); }
     /// x, y, width, height of viewport 0, pixels, rounded as GL rounds it.
-    const std::array<GLint, 4>& hostViewport() const { return viewport_; }
+    const std::array<GLint, 4>& hostViewport() const { return output_.viewport(); }
     bool hostSrgb() const;
     /// Of viewport 0.
     bool hostScissor() const;
@@ -50,27 +51,19 @@ private:
         GLint textureArray;
         GLint sampler;
     };
-    struct BlendState {
-        std::array<GLint, 4> factors; ///< source RGB, destination RGB, source A, destination A
-        std::array<GLint, 2> equations;
-    };
 
     void saveToggles();
     void saveBindings();
     void savePixelPaths();
     void saveRasterState();
-    void saveBlendState();
-    void saveViewports();
     void setCleanSlate() const;
     void restoreToggles() const;
     void restoreBindings() const;
     void restorePixelPaths() const;
     void restoreRasterState() const;
-    void restoreBlendState() const;
-    void restoreBlendEquation(GLuint buffer, GLenum colour, GLenum alpha) const;
-    void restoreViewports() const;
 
     const Functions& gl_;
+    OutputState output_;
 
     std::vector<Toggle> toggles_;
     std::vector<IndexedToggle> indexedToggles_;
@@ -100,13 +93,6 @@ private:
     GLint clipOrigin_ = 0;
     GLint clipDepthMode_ = 0;
     bool feedbackPaused_ = false;
-
-    std::vector<BlendState> blend_; ///< one per draw buffer, or one for all
-    std::vector<std::array<GLboolean, 4>> colorMasks_;
-
-    std::array<GLint, 4> viewport_{};
-    std::vector<std::array<GLfloat, 4>> viewports_;
-    std::vector<std::array<GLdouble, 2>> depthRanges_;
 };
 
 } // namespace aolib::gl

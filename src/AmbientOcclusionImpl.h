@@ -1,0 +1,84 @@
+#pragma once
+
+#include <memory>
+
+#include <aolib/AmbientOcclusion.h>
+
+#include "HostView.h"
+#include "backbone/AbstractBackbone.h"
+#include "backbone/Estimators.h"
+#include "gl/StateGuard.h"
+#include "scene/SceneBuilder.h"
+
+namespace aolib {
+
+/// What an instance holds, and the ways in which its calls reach the backbone.
+struct AmbientOcclusion::Impl {
+    gl::Functions gl;
+    Options options; ///< as the host gave them
+    Options inForce; ///< the same, with an estimator in place of Estimator::Automatic
+    Scene scene;
+    SceneBuilder builder;
+    gl::VertexArray generated;
+    std::unique_ptr<AbstractTexelTracer> tracer;
+    SceneRenderer renderer; ///< calls the host's, and has other calls refused meanwhile
+    bool rendering = false; ///< the host's renderer runs
+    std::unique_ptr<AbstractBackbone> backbone;
+    HostView view;
+    bool drawing = false;
+    Status lastStatus;
+    MessageSink sink;
+
+    BackboneContext context() { return {gl, generated, scene, inForce, tracer, renderer}; }
+
+    Status report(Status status) {
+        if (!status) {
+            lastStatus = status;
+            if (sink) {
+                sink(status);
+            }
+        }
+        return status;
+    }
+    template <typename T>
+    Result<T> report(Result<T> result) {
+        report(result.status());
+        return result;
+    }
+
+    /// Puts options into force, with the estimator that suits the scene and the tracer as they are.
+    void enforce() {
+        inForce = options;
+        inForce.estimator = chosenEstimator(options, scene, tracer != nullptr);
+    }
+    /// Before the backbone works: the scene or the tracer may call for another estimator by now.
+    void followChoice() {
+        const Options before = inForce;
+        enforce();
+        if (before.estimator != inForce.estimator) {
+            backbone->optionsChanged(before);
+        }
+    }
+
+    /// Ok, but within the host's scene renderer.
+    Status allowed() const {
+        return rendering ? Status(StatusCode::InvalidCallOrder,
+                                  "not allowed within the scene renderer of the same instance")
+                         : Status();
+    }
+    /// A call to the backbone on a clean slate. Reports come after it: a message sink is the host's
+    /// code and finds the host's state.
+    template <typename Call>
+    auto guarded(Call call) -> decltype(call(*backbone)) {
+        if (Status status = allowed(); !status) {
+            return status;
+        }
+        const gl::StateGuard guard(gl);
+        followChoice();
+        return call(*backbone);
+    }
+
+    Status drawEnd(const glm::vec3& position);
+};
+
+} // namespace aolib

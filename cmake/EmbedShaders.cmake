@@ -1,8 +1,9 @@
 # Makes one C++ file of all shader stages: includes resolved, one string per stage, no tool but CMake.
 #
-#   cmake -DSHADER_DIR=<dir> -DSTAGES=<a.vert,b.frag,...> -DOUTPUT=<file.cpp> -P EmbedShaders.cmake
+#   cmake -DSHADER_DIR=<dir> -DSTAGES=<a.vert,b.frag,...> -DOUTPUT=<file.cpp>
+#         -DTYPE=<struct> -DHEADER=<header> -P EmbedShaders.cmake
 #
-# The array k<TYPE>s, of structs <TYPE> as -DHEADER declares both, is EmbeddedShader's if not said.
+# It holds the array k<TYPE>s, of structs <TYPE>, as HEADER declares both.
 #
 # `#include "path"` is relative to SHADER_DIR; a file is included once per stage. `#line` gives the
 # compiler's messages the line and the number of the file; the table of names is embedded beside.
@@ -44,10 +45,6 @@ function(resolve path)
     set(files "${files}" PARENT_SCOPE)
 endfunction()
 
-if(NOT TYPE)
-    set(TYPE EmbeddedShader)
-    set(HEADER backbone/ShaderLibrary.h)
-endif()
 string(REPLACE "," ";" STAGES "${STAGES}")
 set(content "// Made by cmake/EmbedShaders.cmake from shaders/.\n#include \"${HEADER}\"\n\n#include <iterator>\n\n")
 string(APPEND content "namespace aolib {\n\nconst ${TYPE} k${TYPE}s[] = {\n")

@@ -16,14 +16,14 @@ struct HostDepth {
     bool floating = false;
 };
 
-GLint attachmentValue(const gl::Functions& gl, GLenum attachment, GLenum name) {
+GLint readAttachmentValue(const gl::Functions& gl, GLenum attachment, GLenum name) {
     GLint value = 0;
     gl.GetFramebufferAttachmentParameteriv(GL_READ_FRAMEBUFFER, attachment, name, &value);
     return value;
 }
 
 bool hasAttachment(const gl::Functions& gl, GLenum attachment) {
-    return attachmentValue(gl, attachment, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_NONE;
+    return readAttachmentValue(gl, attachment, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_NONE;
 }
 
 /// Formats of the depth and stencil of the framebuffer bound for reading.
@@ -32,12 +32,13 @@ HostDepth hostDepth(const gl::Functions& gl, bool isDefault) {
     const GLenum stencil = isDefault ? GL_STENCIL : GL_STENCIL_ATTACHMENT;
     HostDepth found;
     if (hasAttachment(gl, depth)) {
-        found.bits = attachmentValue(gl, depth, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE);
-        found.floating = attachmentValue(gl, depth, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) ==
+        found.bits = readAttachmentValue(gl, depth, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE);
+        found.floating = readAttachmentValue(gl, depth, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) ==
                          static_cast<GLint>(GL_FLOAT);
     }
     if (hasAttachment(gl, stencil)) {
-        found.stencilBits = attachmentValue(gl, stencil, GL_FRAMEBUFFER_ATTACHMENT_STENCIL_SIZE);
+        found.stencilBits =
+            readAttachmentValue(gl, stencil, GL_FRAMEBUFFER_ATTACHMENT_STENCIL_SIZE);
     }
     return found;
 }
@@ -124,7 +125,7 @@ Status HostFramebuffer::copyNormals(const gl::Functions& gl, const Frame& frame)
     }
     gl.BindFramebuffer(GL_READ_FRAMEBUFFER, frame.depthFramebuffer);
     const bool shifted =
-        attachmentValue(gl, GL_COLOR_ATTACHMENT0, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) ==
+        readAttachmentValue(gl, GL_COLOR_ATTACHMENT0, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) ==
         static_cast<GLint>(GL_UNSIGNED_NORMALIZED);
     normalCode_ = shifted ? glm::vec2(2.0F, -1.0F) : glm::vec2(1.0F, 0.0F);
     normals_.bindTexture(0, 0);

@@ -56,12 +56,12 @@ Status check(const Surface& surface, std::size_t number) {
     return {};
 }
 
+} // namespace
+
 glm::dvec3 unitOrZero(const glm::dvec3& v) {
     const double length = glm::length(v);
     return length > 0.0 && std::isfinite(length) ? v / length : glm::dvec3(0.0);
 }
-
-} // namespace
 
 Result<BakeGeometry> BakeGeometry::create(BakeScene scene) {
     BakeGeometry geometry;

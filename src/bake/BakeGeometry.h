@@ -20,6 +20,9 @@ struct SurfacePoint {
     glm::dvec3 plane{0.0};  ///< the triangle's own normal, unit length, turned to the same side
 };
 
+/// The vector made one unit long; zero where it has no direction.
+glm::dvec3 unitOrZero(const glm::dvec3& v);
+
 /// A triangle of a scene: which surface's, and which of it.
 struct TriangleName {
     std::uint32_t surface = 0;

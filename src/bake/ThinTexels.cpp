@@ -7,7 +7,7 @@ namespace aolib::bake {
 namespace {
 
 /// Of a texel's area: with less, neighbours help.
-constexpr float enough = 0.15F;
+constexpr float coveredEnough = 0.15F;
 /// What the coverage of texels is summed from is too coarse for less.
 constexpr float least = 1e-3F;
 
@@ -16,7 +16,7 @@ constexpr float least = 1e-3F;
 glm::vec4 lightPerCoverage(const TexelSums& sums, std::size_t texel) {
     glm::vec4 light = sums.light[texel];
     float covered = sums.coverage[texel].w;
-    if (covered < enough) {
+    if (covered < coveredEnough) {
         const auto width = static_cast<std::size_t>(sums.size.x);
         const int x = static_cast<int>(texel % width);
         const int y = static_cast<int>(texel / width);
@@ -33,7 +33,7 @@ glm::vec4 lightPerCoverage(const TexelSums& sums, std::size_t texel) {
             }
         }
         if (coveredAbout > 0.0F) {
-            const float share = std::min(1.0F, (enough - covered) / coveredAbout);
+            const float share = std::min(1.0F, (coveredEnough - covered) / coveredAbout);
             light += share * lightAbout;
             covered += share * coveredAbout;
         }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int mostIterations = 200;
 /// The residual's share of the right side's length at which a fit is good enough.
-constexpr double enough = 1e-5;
+constexpr double closeEnough = 1e-5;
 
 using Values = std::vector<glm::dvec4>;
 
@@ -114,7 +114,7 @@ void solve(const FitMatrix& matrix, const Values& right, Values& x) {
     }
     Values direction = preconditioned;
     glm::dvec4 size = dotAll(residual, preconditioned);
-    const glm::dvec4 wanted = enough * enough * dotAll(right, right);
+    const glm::dvec4 wanted = closeEnough * closeEnough * dotAll(right, right);
     for (int step = 0; step < mostIterations; ++step) {
         if (glm::all(glm::lessThanEqual(dotAll(residual, residual), wanted))) {
             return;

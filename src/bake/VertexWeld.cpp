@@ -43,18 +43,13 @@ glm::dvec3 areaVector(const Surface& surface, std::size_t first) {
 
 /// The place of a corner, moved a little towards its triangle's centre.
 glm::dvec3 placeNear(const Surface& surface, std::size_t corner) {
-    constexpr double inset = 0.01;
+    constexpr double towardsCentre = 0.01;
     const std::size_t first = corner - corner % 3;
     glm::dvec3 centre(0.0);
     for (std::size_t k = 0; k < 3; ++k) {
         centre += glm::dvec3(surface.positions[surface.indices[first + k]]) / 3.0;
     }
-    return glm::mix(glm::dvec3(surface.positions[surface.indices[corner]]), centre, inset);
-}
-
-glm::dvec3 unitOrZero(const glm::dvec3& v) {
-    const double length = glm::length(v);
-    return length > 0.0 && std::isfinite(length) ? v / length : glm::dvec3(0.0);
+    return glm::mix(glm::dvec3(surface.positions[surface.indices[corner]]), centre, towardsCentre);
 }
 
 } // namespace

@@ -10,7 +10,7 @@ namespace aolib::lighting {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 } // namespace
 

@@ -15,7 +15,7 @@ namespace aolib::lighting {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 const double nearCosine = std::cos(glm::radians(5.0)); ///< what belongs to a sun
 const double ringCosine = std::cos(glm::radians(8.0)); ///< and what lies about it

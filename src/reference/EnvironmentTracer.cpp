@@ -16,7 +16,7 @@ namespace aolib {
 
 namespace {
 
-constexpr int mostRays = 1 << 24;
+constexpr int mostLightRays = 1 << 24;
 
 double brightness(const glm::vec3& radiance) {
     return (double{radiance.r} + double{radiance.g} + double{radiance.b}) / 3.0;
@@ -101,9 +101,9 @@ Status check(const lighting::EnvironmentMap& map, std::span<const Receiver> rece
     if (Status status = lighting::checkEnvironment(map); !status) {
         return status;
     }
-    if (settings.rays < 8 || settings.rays > mostRays || settings.threads < 0) {
+    if (settings.rays < 8 || settings.rays > mostLightRays || settings.threads < 0) {
         return {StatusCode::InvalidOption, "rays is " + std::to_string(settings.rays) +
-                                               ", must be 8 to " + std::to_string(mostRays) +
+                                               ", must be 8 to " + std::to_string(mostLightRays) +
                                                "; threads is " + std::to_string(settings.threads) +
                                                ", must be 0 or more"};
     }

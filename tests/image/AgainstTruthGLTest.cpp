@@ -28,9 +28,9 @@ const std::array kBounds{
     Bound{{"cornell", "inside"}, 0.10F, 0.09}, // 0.083
     Bound{{"dome", "outside"}, 0.10F, 0.33},   // 0.309
 };
-constexpr int kWidth = 240;
-constexpr int kHeight = 135;
-constexpr int kRays = 128;
+constexpr int kTruthWidth = 240;
+constexpr int kTruthHeight = 135;
+constexpr int kTruthRays = 128;
 
 /// One cube map shades this share of the pixels seen from its own centre. Measured: 0.993 (dome,
 /// whose columns are thinner than a pixel) to 1.
@@ -71,9 +71,10 @@ TEST_P(AgainstTruthGLTest, HorizonSplitStaysWithinItsBounds) {
         const Model model = buildScene(bound.view);
         const NamedCamera camera = cameraOf(bound.view);
         const Options options = optionsFor(model, bound.radius);
-        RenderedScene scene(gl, loader, model, options, kWidth, kHeight);
+        RenderedScene scene(gl, loader, model, options, kTruthWidth, kTruthHeight);
         ASSERT_NO_FATAL_FAILURE(render(scene, camera));
-        const Picture truth = traceView(model, camera, kWidth, kHeight, options.radius, kRays);
+        const Picture truth =
+            traceView(model, camera, kTruthWidth, kTruthHeight, options.radius, kTruthRays);
         EXPECT_LE(rmse(scene.visibility(), visibilityOf(truth)), bound.rmse);
     }
 }

@@ -10,8 +10,8 @@ namespace aolib::test {
 
 namespace {
 
-constexpr int kWidth = 240;
-constexpr int kHeight = 135;
+constexpr int kGoldenWidth = 240;
+constexpr int kGoldenHeight = 135;
 
 // EGL and OSMesa (both llvmpipe 22.3) give the golden pictures to the bit. The room is for drivers
 // that round and cover texels differently; not measured on others yet. What it still catches, by
@@ -30,7 +30,7 @@ protected:
         options.radius = radius;
         options.horizonSplit = {.directions = 16, .steps = 16};
         options.cubeMaps.faceSize = 512;
-        RenderedScene scene(gl, loader, buildScene(view), options, kWidth, kHeight);
+        RenderedScene scene(gl, loader, buildScene(view), options, kGoldenWidth, kGoldenHeight);
         ASSERT_TRUE(scene.ready());
         const Status status = scene.settle(cameraOf(view));
         ASSERT_TRUE(status.ok()) << status.message();

@@ -7,7 +7,7 @@ namespace aolib::test {
 namespace {
 
 /// Issue "the best guest": how far the error of a kind may be from the plain one's.
-constexpr double kMostApart = 0.005;
+constexpr double kKindsApart = 0.005;
 
 class HostKindsGLTest : public GLTest {
 protected:
@@ -28,7 +28,7 @@ protected:
         const double found = host_->error(camera, kind);
         RecordProperty(name, std::to_string(found));
         std::cout << "    " << name << ": RMSE " << found << ", plain " << plainError << '\n';
-        EXPECT_LE(std::abs(found - plainError), kMostApart) << name;
+        EXPECT_LE(std::abs(found - plainError), kKindsApart) << name;
         EXPECT_GT(plainError, 1e-4) << "the test would see nothing";
     }
 

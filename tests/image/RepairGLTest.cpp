@@ -13,15 +13,15 @@ namespace aolib::test {
 
 namespace {
 
-constexpr int kWidth = 160;
-constexpr int kHeight = 90;
-constexpr int kMostFrames = 4000;
+constexpr int kRepairWidth = 160;
+constexpr int kRepairHeight = 90;
+constexpr int kMostRepairs = 4000;
 
 class RepairGLTest : public GLTest {
 protected:
     /// Draws the view until nothing is left to compute.
     void converge(RenderedScene& scene, const NamedCamera& camera) {
-        for (int frame = 0; frame < kMostFrames; ++frame) {
+        for (int frame = 0; frame < kMostRepairs; ++frame) {
             const Status status = scene.frame(camera);
             ASSERT_TRUE(status.ok()) << status.message();
             gl.Finish();
@@ -44,7 +44,8 @@ TEST_P(RepairGLTest, AViewAtRestBecomesTheTracedPicture) {
         options.estimator = Estimator::RayTraced;
         options.radius = 0.1F * model.bounds().diagonal();
         options.cubeMaps.faceSize = 128;
-        const Picture traced = traceView(model, camera, kWidth, kHeight, options.radius, 1024);
+        const Picture traced =
+            traceView(model, camera, kRepairWidth, kRepairHeight, options.radius, 1024);
         const FloatImage truth = visibilityOf(traced);
         using Way = std::pair<float, ProjectionMethod>; // frame budget, projection
         for (const auto& [budget, method] :
@@ -52,7 +53,7 @@ TEST_P(RepairGLTest, AViewAtRestBecomesTheTracedPicture) {
             options.frameBudget = budget;
             options.cubeMaps.projection = method;
             options.rayTraced.repair = false;
-            RenderedScene scene(gl, loader, model, options, kWidth, kHeight);
+            RenderedScene scene(gl, loader, model, options, kRepairWidth, kRepairHeight);
             ASSERT_TRUE(scene.ready());
             scene.ao().setTexelTracer(std::move(*createTexelTracer(2)));
             ASSERT_NO_FATAL_FAILURE(converge(scene, camera));

@@ -17,7 +17,7 @@ app::View roomView() {
     return view;
 }
 
-NamedCamera someCamera() {
+NamedCamera exportedCamera() {
     return {"", {0.1F, 1.7F, 3.3F}, {0.3F, 1.0F, 0.0F}, {0.0F, 1.0F, 0.0F}, 51.5F, 0.01F, 77.7F};
 }
 
@@ -25,15 +25,15 @@ TEST(CaseExportTest, HoldsWhatIsSeenExactly) {
     Options options;
     options.radius = 1.0F / 3.0F;
     options.falloff = Falloff::Exp;
-    const Case made = caseOf(roomView(), someCamera(), {641, 359}, options, ".");
+    const Case made = caseOf(roomView(), exportedCamera(), {641, 359}, options, ".");
     const Loaded<Case> read = parseCase(writeCase(made), "some.json");
     ASSERT_TRUE(read) << read.sentence();
     EXPECT_EQ(read->mesh, "room");
-    EXPECT_EQ(read->eye, someCamera().eye);
-    EXPECT_EQ(read->target, someCamera().target);
-    EXPECT_EQ(read->fovyDeg, someCamera().fovyDeg);
-    EXPECT_EQ(read->near, someCamera().near);
-    EXPECT_EQ(read->far, someCamera().far);
+    EXPECT_EQ(read->eye, exportedCamera().eye);
+    EXPECT_EQ(read->target, exportedCamera().target);
+    EXPECT_EQ(read->fovyDeg, exportedCamera().fovyDeg);
+    EXPECT_EQ(read->near, exportedCamera().near);
+    EXPECT_EQ(read->far, exportedCamera().far);
     EXPECT_EQ(read->width, 641);
     EXPECT_EQ(read->height, 359);
     EXPECT_EQ(read->radius, options.radius);
@@ -45,10 +45,10 @@ TEST(CaseExportTest, HoldsWhatIsSeenExactly) {
 TEST(CaseExportTest, FilesAreNamedRelativeToTheCase) {
     app::View view;
     view.scene = "models/bunny.obj";
-    EXPECT_EQ(caseOf(view, someCamera(), {8, 8}, {}, ".").mesh, "models/bunny.obj");
-    EXPECT_EQ(caseOf(view, someCamera(), {8, 8}, {}, "cases").mesh, "../models/bunny.obj");
+    EXPECT_EQ(caseOf(view, exportedCamera(), {8, 8}, {}, ".").mesh, "models/bunny.obj");
+    EXPECT_EQ(caseOf(view, exportedCamera(), {8, 8}, {}, "cases").mesh, "../models/bunny.obj");
     view.scene = fs::absolute("models/bunny.obj").string();
-    EXPECT_EQ(caseOf(view, someCamera(), {8, 8}, {}, ".").mesh, "models/bunny.obj");
+    EXPECT_EQ(caseOf(view, exportedCamera(), {8, 8}, {}, ".").mesh, "models/bunny.obj");
 }
 
 TEST(CaseExportTest, TheCommandHasWhatACaseHasNot) {

@@ -8,7 +8,7 @@
 namespace aolib::viewer {
 namespace {
 
-const glm::vec2 kSize{800.0F, 600.0F};
+const glm::vec2 kPictureSize{800.0F, 600.0F};
 
 std::vector<Gizmo> marks(const std::vector<glm::vec3>& positions) {
     NamedCamera camera;
@@ -21,13 +21,14 @@ std::vector<Gizmo> marks(const std::vector<glm::vec3>& positions) {
         info.position = position;
         cubeMaps.push_back(info);
     }
-    return gizmosOf(cubeMaps, projectionMatrix(camera, kSize.x / kSize.y) * viewMatrix(camera),
-                    kSize, 0.5F);
+    return gizmosOf(cubeMaps,
+                    projectionMatrix(camera, kPictureSize.x / kPictureSize.y) * viewMatrix(camera),
+                    kPictureSize, 0.5F);
 }
 
 TEST(CubeMapGizmosTest, StandWhereTheCubeMapIsSeen) {
     const auto gizmos = marks({{0.0F, 0.0F, 0.0F}, {1.0F, 2.0F, 0.0F}});
-    EXPECT_NEAR(glm::distance(gizmos[0].centre, 0.5F * kSize), 0.0F, 1e-3F);
+    EXPECT_NEAR(glm::distance(gizmos[0].centre, 0.5F * kPictureSize), 0.0F, 1e-3F);
     EXPECT_GT(gizmos[1].centre.x, gizmos[0].centre.x);
     EXPECT_LT(gizmos[1].centre.y, gizmos[0].centre.y) << "up is a smaller y";
     EXPECT_EQ(gizmos[0].edges.size(), 24U) << "two ends for each of twelve edges";

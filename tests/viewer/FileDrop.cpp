@@ -14,7 +14,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::chrono::seconds kPatience{60};
+constexpr std::chrono::seconds kDropPatience{60};
 constexpr long kVersion = 5;
 
 /// The side of the drag and drop protocol that has the file.
@@ -58,7 +58,7 @@ private:
 
     /// Hands the file's name out when asked, until a message comes.
     bool waitFor(const char* kind) {
-        const Clock::time_point end = Clock::now() + kPatience;
+        const Clock::time_point end = Clock::now() + kDropPatience;
         while (Clock::now() < end) {
             while (XPending(display_) > 0) {
                 XEvent event{};

@@ -5,6 +5,8 @@
 #include <memory>
 #include <system_error>
 
+#include <CLI/CLI.hpp>
+
 #include "app/BakeFlags.h"
 #include "app/BakeJob.h"
 #include "app/Interruption.h"

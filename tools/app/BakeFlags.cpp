@@ -2,6 +2,8 @@
 
 #include <sstream>
 
+#include <CLI/CLI.hpp>
+
 #include "app/NumberFlags.h"
 
 namespace aolib::app {

@@ -4,12 +4,14 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
 #include <aolib/bake/BakeOptions.h>
 
 #include "app/GlSession.h"
 #include "app/ParseValues.h"
+
+namespace CLI {
+class App;
+} // namespace CLI
 
 namespace aolib::app {
 

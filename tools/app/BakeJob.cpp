@@ -18,7 +18,7 @@ namespace aolib::app {
 
 namespace {
 
-Failure failureOf(const std::string& subject, const Status& status) {
+Failure bakeFailure(const std::string& subject, const Status& status) {
     if (status.code() == StatusCode::Cancelled) {
         return {ExitCode::Failed, "cancelled; nothing was written for " + subject};
     }
@@ -93,7 +93,7 @@ Outcome<std::unique_ptr<bake::AbstractBaker>> Job::baker() {
                    : bake::createShadowBaker(session_->loader(), scene(), shadow);
     }
     if (!made) {
-        return failureOf(input_.name, made.status());
+        return bakeFailure(input_.name, made.status());
     }
     return std::move(*made);
 }
@@ -113,7 +113,7 @@ MaybeFailure Job::bakeAll(AbstractBakeDestination& goal) {
             return !Interruption::happened();
         };
         if (const Status baked = goal.bake(**made, goOn); !baked) {
-            return failureOf(input_.name, baked);
+            return bakeFailure(input_.name, baked);
         }
     }
     return std::nullopt;
@@ -138,7 +138,7 @@ MaybeFailure Job::commit(OutputFiles& files) const {
         }
     }
     if (Interruption::happened()) {
-        return failureOf(input_.name, {StatusCode::Cancelled, ""});
+        return bakeFailure(input_.name, {StatusCode::Cancelled, ""});
     }
     return files.commit();
 }

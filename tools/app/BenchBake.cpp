@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include <CLI/CLI.hpp>
+
 #include "app/BakeInput.h"
 #include "app/BakePlan.h"
 #include "app/BenchOutput.h"

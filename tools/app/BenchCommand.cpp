@@ -1,5 +1,7 @@
 #include "app/Commands.h"
 
+#include <CLI/CLI.hpp>
+
 #include "app/BenchBake.h"
 #include "app/BenchEnvironment.h"
 #include "app/BenchPareto.h"

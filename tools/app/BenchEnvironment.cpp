@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include <CLI/CLI.hpp>
+
 #include "app/BenchOutput.h"
 #include "app/GlSession.h"
 #include "app/Interruption.h"

@@ -6,10 +6,15 @@
 
 #include "app/Outcome.h"
 #include "app/Progress.h"
+#include "bench/Receivers.h"
 
 namespace aolib::app {
 
 /// What benches have in common: a folder for their results, and a bar on the way to them.
+
+/// The most that --repeat may say, and the pictures of --quick.
+inline constexpr int kMostRepeats = 100;
+inline constexpr bench::PictureSize kQuickSize{320, 180};
 
 /// Makes the folder that --out names, if it is missing.
 MaybeFailure makeOutFolder(const std::string& out);

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include <CLI/CLI.hpp>
+
 #include "app/BenchOutput.h"
 #include "app/CommandLineText.h"
 #include "app/GlSession.h"
@@ -27,11 +29,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostRepeats = 100;
-constexpr int kMostFrames = 1000;
+constexpr int kMostTimedFrames = 1000;
 constexpr int kMostStride = 64;
 constexpr int kMostSide = 16384;
-constexpr bench::PictureSize kQuickSize{320, 180};
 constexpr int kQuickRays = 128;
 
 struct ParetoFlags {
@@ -233,7 +233,7 @@ void attachEffort(CLI::App& command, ParetoFlags& flags) {
         "builds per method and case, of which the median is told")
         ->default_str("1");
     addWholeNumber(
-        command, "--frames", 1, kMostFrames, [&flags](int n) { flags.patience.frames = n; },
+        command, "--frames", 1, kMostTimedFrames, [&flags](int n) { flags.patience.frames = n; },
         "timed after each build")
         ->default_str("7");
 }

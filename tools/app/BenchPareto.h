@@ -1,8 +1,10 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 #include "app/Outcome.h"
+
+namespace CLI {
+class App;
+} // namespace CLI
 
 namespace aolib::app {
 

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <CLI/CLI.hpp>
+
 #include "app/BakeInput.h"
 #include "app/Interruption.h"
 #include "app/NumberFlags.h"

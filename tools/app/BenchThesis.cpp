@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include <CLI/CLI.hpp>
 #include <aolib/OptionFields.h>
 
 #include "app/BenchOutput.h"
@@ -22,10 +23,6 @@
 namespace aolib::app {
 
 namespace {
-
-constexpr int kMostRepeats = 100;
-constexpr bench::PictureSize kQuickSize{320, 180};
-constexpr double kMegabyte = 1e6;
 
 struct ThesisFlags {
     GlFlags gl;

@@ -1,5 +1,7 @@
 #include "app/CommandLineText.h"
 
+#include <CLI/CLI.hpp>
+
 namespace aolib::app {
 
 namespace {

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include <CLI/CLI.hpp>
+
 #include "app/Comparison.h"
 #include "app/GlSession.h"
 #include "app/NumberFlags.h"

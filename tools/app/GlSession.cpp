@@ -3,6 +3,8 @@
 #include <iostream>
 #include <utility>
 
+#include <CLI/CLI.hpp>
+
 #include "app/NumberFlags.h"
 
 namespace aolib::app {

@@ -4,13 +4,15 @@
 #include <optional>
 #include <string>
 
-#include <CLI/CLI.hpp>
-
 #include "app/Outcome.h"
 #include "gl/Functions.h"
 #include "platform/ContextRequest.h"
 #include "platform/DebugLog.h"
 #include "platform/GlContext.h"
+
+namespace CLI {
+class App;
+} // namespace CLI
 
 namespace aolib::app {
 

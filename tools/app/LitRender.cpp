@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include <CLI/CLI.hpp>
 #include <glm/geometric.hpp>
 
 #include "app/Interruption.h"

@@ -2,13 +2,15 @@
 
 #include <string>
 
-#include <CLI/CLI.hpp>
-
 #include "app/GlSession.h"
 #include "app/Outcome.h"
 #include "app/Progress.h"
 #include "app/ViewFlags.h"
 #include "host/LitRenderer.h"
+
+namespace CLI {
+class App;
+} // namespace CLI
 
 namespace aolib::app {
 

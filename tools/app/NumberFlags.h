@@ -1,18 +1,27 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <glm/vec3.hpp>
+
+namespace CLI {
+class App;
+class Option;
+} // namespace CLI
 
 namespace aolib::app {
 
 /// Rays per pixel where a truth is needed and none are said, and the most that may be.
 inline constexpr int kDefaultRays = 256;
 inline constexpr int kMostRays = 1 << 20;
+
+/// Throws the parser's error: "FLAG TEXT: WANTED is needed".
+[[noreturn]] void reject(const std::string& flag, const std::string& text,
+                         const std::string& wanted);
 
 // Each adds a flag to a command whose value is checked before `take` gets it. A value that does not
 // fit is an error that names the flag, the value and what is needed.
@@ -26,25 +35,21 @@ CLI::Option* addNumber(CLI::App& command, const std::string& flag,
 /// "x,y,z". Repeating the flag calls `take` again.
 CLI::Option* addVector(CLI::App& command, const std::string& flag,
                        const std::function<void(const glm::vec3&)>& take, const std::string& help);
+/// One of `names`; `take` gets its number.
+CLI::Option* addNameOf(CLI::App& command, const std::string& flag,
+                       const std::vector<std::string>& names,
+                       const std::function<void(std::size_t)>& take, const std::string& help);
 /// One of the names of `choices`.
 template <typename Value>
 CLI::Option* addChoice(CLI::App& command, const std::string& flag,
                        const std::vector<std::pair<std::string, Value>>& choices,
                        const std::function<void(Value)>& take, const std::string& help) {
-    std::string names;
+    std::vector<std::string> names;
     for (const auto& [name, value] : choices) {
-        names += (names.empty() ? "" : "|") + name;
+        names.push_back(name);
     }
-    const auto parse = [=](const std::string& text) {
-        for (const auto& [name, value] : choices) {
-            if (name == text) {
-                take(value);
-                return;
-            }
-        }
-        throw CLI::ValidationError(flag + " " + text + ": one of " + names + " is needed");
-    };
-    return command.add_option_function<std::string>(flag, parse, help)->type_name(names);
+    return addNameOf(
+        command, flag, names, [=](std::size_t number) { take(choices[number].second); }, help);
 }
 
 } // namespace aolib::app

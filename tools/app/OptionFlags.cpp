@@ -5,6 +5,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include <CLI/CLI.hpp>
 #include <aolib/OptionFields.h>
 
 #include "app/NumberFlags.h"
@@ -13,7 +14,7 @@ namespace aolib::app {
 
 namespace {
 
-const char* const kGroup = "Ambient occlusion";
+const char* const kOptionsGroup = "Ambient occlusion";
 
 std::string compact(double value) {
     std::ostringstream text;
@@ -26,11 +27,6 @@ std::string describe(const OptionRange& range) {
     constexpr double kUnbounded = std::numeric_limits<float>::max();
     return range.max >= kUnbounded ? "at least " + compact(range.min)
                                    : "between " + compact(range.min) + " and " + compact(range.max);
-}
-
-[[noreturn]] void reject(const std::string& flag, const std::string& text,
-                         const std::string& wanted) {
-    throw CLI::ValidationError(flag + " " + text + ": " + wanted + " is needed");
 }
 
 /// Adds one flag for each field that visitOptions() shows it.
@@ -63,7 +59,7 @@ public:
         command_.add_option_function<std::string>(flag, parse, std::string(help))
             ->type_name(std::is_integral_v<Number> ? "INT" : "NUMBER")
             ->default_str(compact(static_cast<double>(field)))
-            ->group(kGroup);
+            ->group(kOptionsGroup);
     }
 
     void operator()(std::string_view name, bool& field, std::string_view help) const {
@@ -74,7 +70,7 @@ public:
             .add_flag_function("--" + key, set,
                                std::string(help) +
                                    (field ? "; on unless --no-" + key : std::string()))
-            ->group(kGroup);
+            ->group(kOptionsGroup);
         command_.add_flag_function("--no-" + key, clear, "")->group("");
     }
 
@@ -94,7 +90,7 @@ public:
             },
             std::string(help))
             ->default_str(chosen)
-            ->group(kGroup);
+            ->group(kOptionsGroup);
     }
 
 private:
@@ -109,7 +105,7 @@ private:
         };
         command_.add_option_function<std::string>(flag, parse, help)
             ->type_name("LENGTH")
-            ->group(kGroup);
+            ->group(kOptionsGroup);
     }
 
     CLI::App& command_;

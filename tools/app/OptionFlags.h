@@ -5,11 +5,13 @@
 #include <string>
 #include <variant>
 
-#include <CLI/CLI.hpp>
-
 #include <aolib/Options.h>
 
 #include "app/ParseValues.h"
+
+namespace CLI {
+class App;
+} // namespace CLI
 
 namespace aolib::app {
 

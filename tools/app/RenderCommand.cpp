@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <CLI/CLI.hpp>
+
 #include "app/Comparison.h"
 #include "app/GlSession.h"
 #include "app/LitRender.h"

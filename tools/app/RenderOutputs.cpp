@@ -1,5 +1,6 @@
 #include "app/RenderOutputs.h"
 
+#include <CLI/CLI.hpp>
 #include <aolib/OptionFields.h>
 
 #include "app/Comparison.h"
@@ -8,7 +9,7 @@ namespace aolib::app {
 
 namespace {
 
-const char* const kGroup = "Pictures";
+const char* const kPicturesGroup = "Pictures";
 const std::vector<std::string> kPicture{".png"};
 const std::vector<std::string> kMeasured{".pfm", ".png"};
 
@@ -35,11 +36,11 @@ std::string debugNames() {
 
 void RenderOutputs::attach(CLI::App& command) {
     const auto file = [&](const std::string& flag, std::string& path, const std::string& help) {
-        command.add_option(flag, path, help)->type_name("FILE")->group(kGroup);
+        command.add_option(flag, path, help)->type_name("FILE")->group(kPicturesGroup);
     };
     command.add_option("-o,--out", folder_, "write all of these into a folder, made if missing")
         ->type_name("FOLDER")
-        ->group(kGroup);
+        ->group(kPicturesGroup);
     file("--colour", colour_, "the host's picture, .png");
     file("--ao", ao_, "visibility W, .pfm (floats, background -1) or .png");
     file("--composite", composite_, "the host's picture, darkened, .png");
@@ -56,7 +57,7 @@ void RenderOutputs::attach(CLI::App& command) {
             "a debug view, as VIEW=FILE.png, or VIEW alone with --out: " + debugNames())
         ->type_name("VIEW[=FILE]")
         ->allow_extra_args(false)
-        ->group(kGroup);
+        ->group(kPicturesGroup);
 }
 
 void RenderOutputs::parseDebug(const std::string& argument) {

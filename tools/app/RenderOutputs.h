@@ -5,13 +5,15 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
 #include <aolib/Options.h>
 
 #include "app/OutputFiles.h"
 #include "app/RenderJob.h"
 #include "app/TruthJob.h"
+
+namespace CLI {
+class App;
+} // namespace CLI
 
 namespace aolib::app {
 

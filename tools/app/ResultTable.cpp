@@ -4,11 +4,7 @@
 
 namespace aolib::app {
 
-namespace {
-
-constexpr double kMegabyte = 1e6;
-
-} // namespace
+namespace {} // namespace
 
 ResultTable::ResultTable()
     : table_({"scene", "triangles", "cube maps", "build ms", "AO ms/frame", "host ms/frame",

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <CLI/CLI.hpp>
+
 #include "app/Progress.h"
 #include "app/Table.h"
 #include "content/ModelFile.h"

@@ -5,6 +5,8 @@
 
 namespace aolib::app {
 
+inline constexpr double kMegabyte = 1e6;
+
 /// Text in aligned columns: the first to the left, the others, which hold numbers, to the right.
 class Table {
 public:

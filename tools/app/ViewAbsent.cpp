@@ -1,5 +1,7 @@
 #include "app/Commands.h"
 
+#include <CLI/CLI.hpp>
+
 namespace aolib::app {
 
 void addViewCommand(CLI::App& program, MaybeFailure& failure) {

@@ -4,6 +4,8 @@
 #include <memory>
 #include <string>
 
+#include <CLI/CLI.hpp>
+
 #include "app/NumberFlags.h"
 #include "app/OptionFlags.h"
 #include "app/OutputFiles.h"

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <CLI/CLI.hpp>
+
 #include "app/NumberFlags.h"
 
 namespace aolib::app {

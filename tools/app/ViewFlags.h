@@ -3,11 +3,14 @@
 #include <optional>
 #include <string>
 
-#include <CLI/CLI.hpp>
 #include <glm/vec3.hpp>
 
 #include "app/Outcome.h"
 #include "app/View.h"
+
+namespace CLI {
+class App;
+} // namespace CLI
 
 namespace aolib::app {
 

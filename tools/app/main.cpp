@@ -2,6 +2,8 @@
 #include <iostream>
 #include <string>
 
+#include <CLI/CLI.hpp>
+
 #include "app/Commands.h"
 
 namespace {

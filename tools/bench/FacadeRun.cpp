@@ -18,7 +18,6 @@ namespace {
 
 /// A build is looked at again when it has taken so many times as long.
 constexpr double kLookAgain = 1.25;
-constexpr double kMsPerSecond = 1000.0;
 
 /// Times of all builds of a measurement.
 struct Gathered {

@@ -17,6 +17,8 @@ namespace aolib::bench {
 
 using Clock = std::chrono::steady_clock;
 
+inline constexpr double kMsPerSecond = 1000.0;
+
 double millisecondsSince(Clock::time_point begin);
 
 /// What a frame took, wall clock with the GPU's work done, milliseconds.

@@ -14,8 +14,6 @@ namespace aolib::bench {
 
 namespace {
 
-constexpr double kMsPerSecond = 1000.0;
-
 std::string percent(double share) {
     return std::to_string(std::lround(100.0 * share));
 }

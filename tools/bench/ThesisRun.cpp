@@ -17,8 +17,6 @@ namespace aolib::bench {
 
 namespace {
 
-constexpr double kMsPerSecond = 1000.0;
-
 /// Times of one setting.
 struct Times {
     std::vector<double> buildMs;

@@ -12,7 +12,7 @@
 namespace aolib {
 namespace {
 
-using Json = nlohmann::json;
+using PlainJson = nlohmann::json;
 
 constexpr int deepestNesting = 64;
 constexpr std::size_t headerSize = 12;
@@ -85,14 +85,14 @@ Loaded<Container> openContainer(std::string_view bytes, const std::string& name)
     return container;
 }
 
-Loaded<Json> parseJson(std::string_view text, const std::string& name) {
+Loaded<PlainJson> parseJson(std::string_view text, const std::string& name) {
     bool tooDeep = false;
-    const auto watchDepth = [&](int depth, Json::parse_event_t, Json&) {
+    const auto watchDepth = [&](int depth, PlainJson::parse_event_t, PlainJson&) {
         tooDeep = tooDeep || depth > deepestNesting;
         return !tooDeep;
     };
     try {
-        Json json = Json::parse(text.begin(), text.end(), watchDepth);
+        PlainJson json = PlainJson::parse(text.begin(), text.end(), watchDepth);
         if (tooDeep) {
             return LoadError{name + ": its JSON nests deeper than " +
                              std::to_string(deepestNesting) + " levels"};
@@ -101,9 +101,9 @@ Loaded<Json> parseJson(std::string_view text, const std::string& name) {
             return LoadError{name + ": its JSON is not an object"};
         }
         return json;
-    } catch (const Json::parse_error& error) {
+    } catch (const PlainJson::parse_error& error) {
         return LoadError{name + ": not valid JSON near byte " + std::to_string(error.byte)};
-    } catch (const Json::exception&) {
+    } catch (const PlainJson::exception&) {
         return LoadError{name + ": its JSON holds a number out of range"};
     }
 }
@@ -141,8 +141,8 @@ Loaded<std::string> fetchUri(const std::string& uri, const std::filesystem::path
     return bytes ? bytes : LoadError{file.string() + " needs " + bytes.sentence()};
 }
 
-Loaded<std::string> loadBuffer(const Json& buffer, std::size_t index, const Container& container,
-                               const std::filesystem::path& file) {
+Loaded<std::string> loadBuffer(const PlainJson& buffer, std::size_t index,
+                               const Container& container, const std::filesystem::path& file) {
     const std::string where = file.string() + ": buffer " + std::to_string(index);
     if (!buffer.is_object() || !buffer.contains("byteLength") ||
         !buffer["byteLength"].is_number_unsigned()) {
@@ -170,11 +170,11 @@ Loaded<std::string> loadBuffer(const Json& buffer, std::size_t index, const Cont
     return bytes;
 }
 
-Loaded<std::vector<std::string>> loadBuffers(const Json& json, const Container& container,
+Loaded<std::vector<std::string>> loadBuffers(const PlainJson& json, const Container& container,
                                              const std::filesystem::path& file) {
     std::vector<std::string> buffers;
     if (json.contains("buffers") && json["buffers"].is_array()) {
-        for (const Json& description : json["buffers"]) {
+        for (const PlainJson& description : json["buffers"]) {
             Loaded<std::string> buffer = loadBuffer(description, buffers.size(), container, file);
             if (!buffer) {
                 return buffer.error();
@@ -185,11 +185,11 @@ Loaded<std::vector<std::string>> loadBuffers(const Json& json, const Container& 
     return buffers;
 }
 
-std::optional<LoadError> refuseUnreadable(const Json& json, const std::string& name) {
+std::optional<LoadError> refuseUnreadable(const PlainJson& json, const std::string& name) {
     if (!json.contains("extensionsRequired") || !json["extensionsRequired"].is_array()) {
         return std::nullopt;
     }
-    for (const Json& required : json["extensionsRequired"]) {
+    for (const PlainJson& required : json["extensionsRequired"]) {
         for (const char* extension : unreadableExtensions) {
             if (required == extension) {
                 return LoadError{name + ": needs the extension " + extension +
@@ -213,7 +213,7 @@ Loaded<GltfParts> openGltf(std::string_view bytes, const std::filesystem::path& 
     if (!container) {
         return container.error();
     }
-    const Loaded<Json> json = parseJson(container->json, name);
+    const Loaded<PlainJson> json = parseJson(container->json, name);
     if (!json) {
         return json.error();
     }
@@ -232,7 +232,7 @@ Loaded<GltfDocument> parseGltf(std::string_view bytes, const std::filesystem::pa
     if (!container) {
         return container.error();
     }
-    const Loaded<Json> json = parseJson(container->json, document.name);
+    const Loaded<PlainJson> json = parseJson(container->json, document.name);
     if (!json) {
         return json.error();
     }
@@ -244,7 +244,7 @@ Loaded<GltfDocument> parseGltf(std::string_view bytes, const std::filesystem::pa
         return buffers.error();
     }
     document.buffers = std::move(*buffers);
-    Json kept = Json::object();
+    PlainJson kept = PlainJson::object();
     for (const char* member : keptMembers) {
         if (json->contains(member)) {
             kept[member] = (*json)[member];
@@ -255,7 +255,7 @@ Loaded<GltfDocument> parseGltf(std::string_view bytes, const std::filesystem::pa
             kept[member] = (*json)[member];
         }
     }
-    const std::string text = kept.dump(-1, ' ', false, Json::error_handler_t::replace);
+    const std::string text = kept.dump(-1, ' ', false, PlainJson::error_handler_t::replace);
     std::string reason;
     std::string warning;
     tinygltf::TinyGLTF parser;

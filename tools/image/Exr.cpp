@@ -17,7 +17,7 @@ constexpr std::uint8_t noCompression = 0;
 constexpr std::uint8_t increasingY = 0;
 
 /// Bytes in the order of the file, lowest first.
-class Bytes {
+class ExrBytes {
 public:
     void text(std::string_view value) {
         for (const char c : value) {
@@ -50,7 +50,7 @@ private:
     std::vector<std::uint8_t> content_;
 };
 
-void addWindow(Bytes& bytes, std::string_view name, const FloatImage& image) {
+void addWindow(ExrBytes& bytes, std::string_view name, const FloatImage& image) {
     bytes.attribute(name, "box2i", 16);
     bytes.u32(0);
     bytes.u32(0);
@@ -59,7 +59,7 @@ void addWindow(Bytes& bytes, std::string_view name, const FloatImage& image) {
 }
 
 /// @param names  one letter each, in the alphabet's order.
-void addHeader(Bytes& bytes, const FloatImage& image, std::string_view names) {
+void addHeader(ExrBytes& bytes, const FloatImage& image, std::string_view names) {
     bytes.u32(magic);
     bytes.u32(version);
     bytes.attribute("channels", "chlist", static_cast<std::uint32_t>(names.size()) * 18 + 1);
@@ -93,7 +93,7 @@ std::vector<std::uint8_t> encodedExr(const FloatImage& image) {
     if (image.width < 1 || image.height < 1 || (image.channels != 1 && image.channels != 3)) {
         return {};
     }
-    Bytes bytes;
+    ExrBytes bytes;
     addHeader(bytes, image, image.channels == 1 ? "Y" : "BGR");
     const auto rows = static_cast<std::size_t>(image.height);
     const std::size_t row =

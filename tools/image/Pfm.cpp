@@ -15,7 +15,7 @@ namespace aolib {
 
 namespace {
 
-constexpr int largestSide = 65536;
+constexpr int largestPfm = 65536;
 
 struct Header {
     int width = 0;
@@ -80,11 +80,11 @@ ImageResult<Header> parseHeader(std::string_view text) {
     if (!parse(width, header.width) || !parse(height, header.height)) {
         return ImageError{"its header has no width and height"};
     }
-    if (header.width < 1 || header.width > largestSide || header.height < 1 ||
-        header.height > largestSide) {
+    if (header.width < 1 || header.width > largestPfm || header.height < 1 ||
+        header.height > largestPfm) {
         return ImageError{"its header says " + std::to_string(header.width) + " x " +
                           std::to_string(header.height) + " pixels, must be 1 to " +
-                          std::to_string(largestSide) + " each way"};
+                          std::to_string(largestPfm) + " each way"};
     }
     double scale = 0.0;
     if (!parse(words.next(), scale) || !std::isfinite(scale) || scale == 0.0) {

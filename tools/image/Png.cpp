@@ -11,7 +11,7 @@ namespace aolib {
 
 namespace {
 
-constexpr int largestSide = 65536;
+constexpr int largestPng = 65536;
 /// stb counts bytes in int.
 constexpr std::size_t mostValues = std::size_t{1} << 30U;
 
@@ -36,8 +36,8 @@ ImageOutcome writePng(const std::filesystem::path& file, const ByteImage& image)
         return ImageError{file.string() + ": PNG is written with 1, 3 or 4 channels, not " +
                           std::to_string(image.channels)};
     }
-    if (image.width < 1 || image.width > largestSide || image.height < 1 ||
-        image.height > largestSide || image.pixels.size() > mostValues ||
+    if (image.width < 1 || image.width > largestPng || image.height < 1 ||
+        image.height > largestPng || image.pixels.size() > mostValues ||
         image.pixels.size() != image.pixelCount() * static_cast<std::size_t>(image.channels)) {
         return ImageError{file.string() + ": the picture to write is " +
                           std::to_string(image.width) + " x " + std::to_string(image.height) +

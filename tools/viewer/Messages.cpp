@@ -12,10 +12,10 @@ namespace {
 constexpr std::chrono::seconds kShown{6};
 constexpr std::chrono::seconds kWarningShown{15};
 constexpr std::size_t kMost = 4;
-constexpr float kMargin = 12.0F; ///< pixels from the picture's edges
-constexpr float kOpacity = 0.85F;
+constexpr float kMessageMargin = 12.0F; ///< pixels from the picture's edges
+constexpr float kMessageOpacity = 0.85F;
 const ImVec4 kWarningColour{1.0F, 0.6F, 0.45F, 1.0F};
-const ImVec4 kColour{1.0F, 1.0F, 1.0F, 1.0F};
+const ImVec4 kTextColour{1.0F, 1.0F, 1.0F, 1.0F};
 
 } // namespace
 
@@ -43,15 +43,16 @@ void Messages::draw(const glm::vec2& size) {
     if (messages_.empty()) {
         return;
     }
-    ImGui::SetNextWindowPos({kMargin, size.y - kMargin}, ImGuiCond_Always, {0.0F, 1.0F});
-    ImGui::SetNextWindowBgAlpha(kOpacity);
+    ImGui::SetNextWindowPos({kMessageMargin, size.y - kMessageMargin}, ImGuiCond_Always,
+                            {0.0F, 1.0F});
+    ImGui::SetNextWindowBgAlpha(kMessageOpacity);
     ImGui::Begin("##messages", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
                      ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoFocusOnAppearing |
                      ImGuiWindowFlags_NoNav);
-    ImGui::PushTextWrapPos(std::max(size.x - 3.0F * kMargin, 100.0F));
+    ImGui::PushTextWrapPos(std::max(size.x - 3.0F * kMessageMargin, 100.0F));
     for (const Message& message : messages_) {
-        ImGui::PushStyleColor(ImGuiCol_Text, message.warning ? kWarningColour : kColour);
+        ImGui::PushStyleColor(ImGuiCol_Text, message.warning ? kWarningColour : kTextColour);
         ImGui::TextUnformatted(message.sentence.c_str());
         ImGui::PopStyleColor();
     }

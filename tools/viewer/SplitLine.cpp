@@ -8,18 +8,18 @@ namespace aolib::viewer {
 namespace {
 
 /// How near the mouse must be to take hold, pixels.
-constexpr float kReach = 8.0F;
+constexpr float kGrabReach = 8.0F;
 /// The line stays where it can be grasped, shares of the width.
-constexpr float kMargin = 0.01F;
+constexpr float kEdgeMargin = 0.01F;
 
 } // namespace
 
 void SplitLine::place(float share) {
-    share_ = std::clamp(share, kMargin, 1.0F - kMargin);
+    share_ = std::clamp(share, kEdgeMargin, 1.0F - kEdgeMargin);
 }
 
 bool SplitLine::near(float x, float width) const {
-    return std::abs(x - share_ * width) <= kReach;
+    return std::abs(x - share_ * width) <= kGrabReach;
 }
 
 bool SplitLine::follow(float x, float width, bool pressed, bool held) {

@@ -13,11 +13,11 @@ namespace aolib {
 
 namespace {
 
-constexpr int kTile = 32;     ///< pixels along a tile's edge, a request's worth
-constexpr int kBlock = 4;     ///< pixels along the edge of what is traced side by side
-constexpr int kTileBits = 24; ///< of a request's key
+constexpr int kTile = 32;           ///< pixels along a tile's edge, a request's worth
+constexpr int kBlock = 4;           ///< pixels along the edge of what is traced side by side
+constexpr int kRepairTileBits = 24; ///< of a request's key
 /// Requests queued at a time: enough to keep workers busy between frames.
-constexpr std::size_t kQueue = 64;
+constexpr std::size_t kRepairQueue = 64;
 /// A pixel's surface is looked for within this share of its footprint.
 constexpr double kReach = 0.25;
 /// Rays of a pixel for each of a texel: pixels are not averaged with their neighbours as the four
@@ -192,12 +192,12 @@ std::vector<TexelRequest> ViewRepair::requests(const BackboneContext& context, f
     const glm::vec3 centre(camera.eye());
     const glm::dvec3 rest = camera.eye() - glm::dvec3(centre);
     std::vector<TexelRequest> queue;
-    for (std::size_t tile = 0; tile < tiles_.size() && queue.size() < kQueue; ++tile) {
+    for (std::size_t tile = 0; tile < tiles_.size() && queue.size() < kRepairQueue; ++tile) {
         const std::vector<Pixel>& pixels = tiles_[tile];
         if (pixels.empty()) {
             continue;
         }
-        TexelRequest request{.key = std::uint64_t{generation_} << kTileBits | tile,
+        TexelRequest request{.key = std::uint64_t{generation_} << kRepairTileBits | tile,
                              .centre = centre,
                              .faceSize = kTile,
                              .x = pixels.front().at.x,
@@ -226,8 +226,8 @@ std::vector<TexelRequest> ViewRepair::requests(const BackboneContext& context, f
 
 void ViewRepair::take(const TracedTexels& traced) {
     const std::uint64_t key = traced.request.key;
-    const std::size_t number = key & ((1U << kTileBits) - 1U);
-    if (key >> kTileBits != generation_ || tiles_[number].empty()) {
+    const std::size_t number = key & ((1U << kRepairTileBits) - 1U);
+    if (key >> kRepairTileBits != generation_ || tiles_[number].empty()) {
         return; // of another view, or traced twice
     }
     std::vector<Pixel>& tile = tiles_[number];

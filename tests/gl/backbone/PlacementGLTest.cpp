@@ -14,7 +14,7 @@ Model corridor() {
     return model;
 }
 
-Options options() {
+Options placementOptions() {
     Options o = atOnce();
     o.radius = 1.0F;
     o.cubeMaps.faceSize = 128;
@@ -24,7 +24,7 @@ Options options() {
 class PlacementGLTest : public GLTest {};
 
 TEST_P(PlacementGLTest, TheFirstCubeMapStandsAtTheEyeAndCoversWhatItSees) {
-    SmallHost host(gl, loader, corridor(), options());
+    SmallHost host(gl, loader, corridor(), placementOptions());
     host.lookAt({0, 1.7F, 0}, {10, 1.5F, 0.2F});
     ASSERT_TRUE(host.frame().ok());
     ASSERT_EQ(host.ao().cubeMaps().size(), 1U);
@@ -36,7 +36,7 @@ TEST_P(PlacementGLTest, TheFirstCubeMapStandsAtTheEyeAndCoversWhatItSees) {
 }
 
 TEST_P(PlacementGLTest, AWalkRoundACornerPlacesAnotherAndStaysCovered) {
-    SmallHost host(gl, loader, corridor(), options());
+    SmallHost host(gl, loader, corridor(), placementOptions());
     std::size_t known = 0;
     int framesBelow = 0;
     for (int i = 0; i <= 80; ++i) {
@@ -57,7 +57,7 @@ TEST_P(PlacementGLTest, AWalkRoundACornerPlacesAnotherAndStaysCovered) {
 }
 
 TEST_P(PlacementGLTest, PlacementCanBeSwitchedOff) {
-    Options o = options();
+    Options o = placementOptions();
     o.cubeMaps.place = false;
     SmallHost host(gl, loader, corridor(), o);
     host.lookAt({0, 1.7F, 0}, {10, 1.5F, 0.2F});
@@ -69,7 +69,7 @@ TEST_P(PlacementGLTest, PlacementCanBeSwitchedOff) {
 TEST_P(PlacementGLTest, FacesWithoutGeometryAreNotModelled) {
     Model model;
     addBox(model, {5, -1, -1}, {7, 1, 1});
-    Options o = options();
+    Options o = placementOptions();
     o.cubeMaps.place = false;
     SmallHost host(gl, loader, model, o);
     ASSERT_TRUE(host.ao().addCubeMap({0, 0, 0}).ok());

@@ -6,7 +6,7 @@
 namespace aolib {
 namespace {
 
-Options options() {
+Options projectionOptions() {
     Options o = atOnce();
     o.radius = 1.5F;
     o.cubeMaps.faceSize = 256;
@@ -32,7 +32,7 @@ protected:
 };
 
 TEST_P(ProjectionGLTest, PixelsShowTheirTexels) {
-    SmallHost host(gl, loader, courtyard(), options());
+    SmallHost host(gl, loader, courtyard(), projectionOptions());
     const CubeMapId id = *host.ao().addCubeMap({1, 2, 3});
     host.lookAt({1, 2, 3}, {0, 0, -4});
     ASSERT_TRUE(host.frame().ok());
@@ -47,7 +47,7 @@ TEST_P(ProjectionGLTest, PixelsShowTheirTexels) {
 TEST_P(ProjectionGLTest, NothingIsProjectedThroughAWall) {
     Model model = courtyard();
     addQuad(model, {-10, 0, 0}, {10, 0, 0}, {10, 9, 0}, {-10, 9, 0});
-    SmallHost host(gl, loader, model, options());
+    SmallHost host(gl, loader, model, projectionOptions());
     // The cube map stands on the far side of the wall z = 0, the camera on the near side of it.
     ASSERT_TRUE(host.ao().addCubeMap({0, 2, 5}).ok());
     host.lookAt({0, 2, -8}, {0, 1, 0});
@@ -67,7 +67,7 @@ TEST_P(ProjectionGLTest, NothingIsProjectedThroughAWall) {
 
 TEST_P(ProjectionGLTest, OrderOfPlacementDoesNotMatter) {
     const auto render = [&](const std::vector<glm::vec3>& positions) {
-        SmallHost host(gl, loader, courtyard(), options());
+        SmallHost host(gl, loader, courtyard(), projectionOptions());
         for (const glm::vec3& position : positions) {
             EXPECT_TRUE(host.ao().addCubeMap(position).ok());
         }
@@ -86,7 +86,7 @@ TEST_P(ProjectionGLTest, OrderOfPlacementDoesNotMatter) {
 
 TEST_P(ProjectionGLTest, BothMethodsGiveTheSamePixels) {
     const auto render = [&](ProjectionMethod method) {
-        Options o = options();
+        Options o = projectionOptions();
         o.cubeMaps.projection = method;
         SmallHost host(gl, loader, courtyard(), o);
         for (const glm::vec3 position :
@@ -104,7 +104,7 @@ TEST_P(ProjectionGLTest, BothMethodsGiveTheSamePixels) {
 }
 
 TEST_P(ProjectionGLTest, OnlyTheNearestAreProjected) {
-    Options o = options();
+    Options o = projectionOptions();
     o.cubeMaps.nearest = 2;
     SmallHost host(gl, loader, courtyard(), o);
     for (const float x : {-5.0F, -4.0F, 4.0F, 5.0F}) {
@@ -116,8 +116,8 @@ TEST_P(ProjectionGLTest, OnlyTheNearestAreProjected) {
 }
 
 TEST_P(ProjectionGLTest, TheBlurKeepsEdgesAndFlatAreas) {
-    Options sharp = options();
-    Options blurred = options();
+    Options sharp = projectionOptions();
+    Options blurred = projectionOptions();
     blurred.blur.enabled = true;
     const auto render = [&](const Options& o) {
         SmallHost host(gl, loader, courtyard(), o);

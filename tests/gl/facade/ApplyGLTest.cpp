@@ -12,9 +12,9 @@ namespace {
 constexpr int kWidth = 160;
 constexpr int kHeight = 90;
 constexpr glm::ivec2 kSize{kWidth, kHeight};
-constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+constexpr float kNotANumber = std::numeric_limits<float>::quiet_NaN();
 
-Options radiusOne(Backbone backbone = Backbone::Cubemapped) {
+Options applyOptions(Backbone backbone = Backbone::Cubemapped) {
     Options options = atOnce();
     options.backbone = backbone;
     options.estimator = Estimator::LayeredIntervals;
@@ -102,7 +102,7 @@ private:
 
 TEST_P(ApplyGLTest, GivesTheFactorOfAFrame) {
     for (const Backbone backbone : {Backbone::Cubemapped, Backbone::ScreenSpace}) {
-        SmallHost host(gl, loader, boxOnFloor(), radiusOne(backbone));
+        SmallHost host(gl, loader, boxOnFloor(), applyOptions(backbone));
         host.lookAt({4, 4, 6}, {0, 0.5F, 0});
         ASSERT_TRUE(host.frame().ok()) << host.ao().lastStatus().message();
         const VisibilityImage expected = host.visibility();
@@ -123,7 +123,7 @@ TEST_P(ApplyGLTest, GivesTheFactorOfAFrame) {
 }
 
 TEST_P(ApplyGLTest, BlendsIntoTheHostsColours) {
-    SmallHost host(gl, loader, boxOnFloor(), radiusOne());
+    SmallHost host(gl, loader, boxOnFloor(), applyOptions());
     host.lookAt({4, 4, 6}, {0, 0.5F, 0});
     const TextureName depth = depth24();
     const TextureName colour = colour8();
@@ -144,7 +144,7 @@ TEST_P(ApplyGLTest, BlendsIntoTheHostsColours) {
 }
 
 TEST_P(ApplyGLTest, NormalsOfTheHostCount) {
-    SmallHost host(gl, loader, boxOnFloor(), radiusOne(Backbone::ScreenSpace));
+    SmallHost host(gl, loader, boxOnFloor(), applyOptions(Backbone::ScreenSpace));
     host.lookAt({0, 6, 0.5F}, {0, 0, 0}); // straight down: every surface in view faces up
     const TextureName depth = depth24();
     drawInto(host, depth, colour8());
@@ -166,13 +166,13 @@ TEST_P(ApplyGLTest, NormalsOfTheHostCount) {
     EXPECT_LT(difference(own, withNormals(filled({0.5F, 1, 0.5F}, GL_RGB10_A2))), 0.01);
     // None: the depth's are taken.
     EXPECT_EQ(withNormals(filled({0, 0, 0}, GL_RGBA16F)).visibility, own.visibility);
-    EXPECT_EQ(withNormals(filled({kNaN, 0, 0}, GL_RGBA32F)).visibility, own.visibility);
+    EXPECT_EQ(withNormals(filled({kNotANumber, 0, 0}, GL_RGBA32F)).visibility, own.visibility);
     // Others: a surface that leans sees less.
     EXPECT_GT(difference(own, withNormals(filled({1, 1, 0}, GL_RGBA16F))), 0.05);
 }
 
 TEST_P(ApplyGLTest, SamplesOfTheHostAreResolved) {
-    SmallHost host(gl, loader, boxOnFloor(), radiusOne());
+    SmallHost host(gl, loader, boxOnFloor(), applyOptions());
     host.lookAt({4, 4, 6}, {0, 0.5F, 0});
     const TextureName single = depth24();
     drawInto(host, single, colour8());
@@ -200,7 +200,7 @@ TEST_P(ApplyGLTest, SamplesOfTheHostAreResolved) {
 }
 
 TEST_P(ApplyGLTest, RefusesWhatIsOfNoUse) {
-    SmallHost host(gl, loader, boxOnFloor(), radiusOne());
+    SmallHost host(gl, loader, boxOnFloor(), applyOptions());
     host.lookAt({4, 4, 6}, {0, 0.5F, 0});
     const TextureName depth = depth24();
     const TextureName colour = colour8();
@@ -232,7 +232,7 @@ TEST_P(ApplyGLTest, RefusesWhatIsOfNoUse) {
 }
 
 TEST_P(ApplyGLTest, TexturesAreNotKeptAlive) {
-    SmallHost host(gl, loader, boxOnFloor(), radiusOne());
+    SmallHost host(gl, loader, boxOnFloor(), applyOptions());
     host.lookAt({4, 4, 6}, {0, 0.5F, 0});
     const TextureName depth = depth24();
     const TextureName colour = colour8();

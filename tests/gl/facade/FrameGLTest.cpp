@@ -9,7 +9,7 @@
 namespace aolib {
 namespace {
 
-Options radiusOne() {
+Options frameOptions() {
     Options options = atOnce();
     options.radius = 1.0F;
     options.cubeMaps.faceSize = 128;
@@ -19,7 +19,7 @@ Options radiusOne() {
 class FrameGLTest : public GLTest {};
 
 TEST_P(FrameGLTest, DarkensWhereSurfacesMeet) {
-    SmallHost host(gl, loader, boxOnFloor(), radiusOne());
+    SmallHost host(gl, loader, boxOnFloor(), frameOptions());
     host.lookAt({4, 4, 6}, {0, 0.5F, 0});
     ASSERT_TRUE(host.frame().ok()) << host.ao().lastStatus().message();
     EXPECT_GT(host.visibilityAt({4, 0, 1}), 0.98F);
@@ -28,7 +28,7 @@ TEST_P(FrameGLTest, DarkensWhereSurfacesMeet) {
 }
 
 TEST_P(FrameGLTest, BlendsByTheFormulaOfTheThesis) {
-    SmallHost host(gl, loader, boxOnFloor(), radiusOne());
+    SmallHost host(gl, loader, boxOnFloor(), frameOptions());
     host.lookAt({4, 4, 6}, {0, 0.5F, 0});
     host.framebuffer().bind();
     host.renderer().draw(host.view(), host.projection());
@@ -66,7 +66,7 @@ TEST_P(FrameGLTest, ReadsTheMatricesOfACompatibilityContext) {
         matrixMode(0x1700); // GL_MODELVIEW
         loadMatrix(glm::value_ptr(view));
     };
-    SmallHost host(gl, loader, boxOnFloor(), radiusOne());
+    SmallHost host(gl, loader, boxOnFloor(), frameOptions());
     host.lookAt({4, 4, 6}, {0, 0.5F, 0});
     AmbientOcclusion& ao = host.ao();
     const glm::mat4 elsewhere = glm::translate(glm::mat4(1.0F), {9, 9, 9});
@@ -87,8 +87,8 @@ TEST_P(FrameGLTest, ReadsTheMatricesOfACompatibilityContext) {
 }
 
 TEST_P(FrameGLTest, MultisampledHostsGetTheSamePicture) {
-    SmallHost single(gl, loader, boxOnFloor(), radiusOne());
-    SmallHost multi(gl, loader, boxOnFloor(), radiusOne(), 160, 90, 4);
+    SmallHost single(gl, loader, boxOnFloor(), frameOptions());
+    SmallHost multi(gl, loader, boxOnFloor(), frameOptions(), 160, 90, 4);
     for (SmallHost* host : {&single, &multi}) {
         host->lookAt({4, 4, 6}, {0, 0.5F, 0});
         ASSERT_TRUE(host->frame().ok()) << host->ao().lastStatus().message();
@@ -109,7 +109,7 @@ TEST_P(FrameGLTest, MultisampledHostsGetTheSamePicture) {
 }
 
 TEST_P(FrameGLTest, AViewportInsideTheFramebufferIsShadedAlone) {
-    SmallHost host(gl, loader, boxOnFloor(), radiusOne());
+    SmallHost host(gl, loader, boxOnFloor(), frameOptions());
     host.lookAt({4, 4, 6}, {0, 0.5F, 0});
     ASSERT_TRUE(host.frame().ok());
     const VisibilityImage whole = host.visibility();
@@ -138,7 +138,7 @@ TEST_P(FrameGLTest, AViewportInsideTheFramebufferIsShadedAlone) {
 }
 
 TEST_P(FrameGLTest, TheHostsDepthStaysCorrect) {
-    SmallHost host(gl, loader, boxOnFloor(), radiusOne());
+    SmallHost host(gl, loader, boxOnFloor(), frameOptions());
     host.lookAt({4, 4, 6}, {0, 0.5F, 0});
     const auto depth = [&] {
         std::vector<float> values(160 * 90);

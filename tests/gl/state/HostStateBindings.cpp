@@ -227,3 +227,5 @@ void HostState::recordObjects(StateRecorder& to) const {
 }
 
 } // namespace aolib
+
+#undef AOLIB_NAMED

@@ -154,3 +154,5 @@ void HostState::recordPixelTransfer(StateRecorder& to) const {
 }
 
 } // namespace aolib
+
+#undef AOLIB_NAMED

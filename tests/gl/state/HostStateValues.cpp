@@ -183,3 +183,5 @@ void HostState::recordArrays(StateRecorder& to) const {
 }
 
 } // namespace aolib
+
+#undef AOLIB_NAMED

@@ -14,12 +14,12 @@ namespace {
 
 using test::replaced;
 
-const std::string text =
+const std::string caseText =
     R"({"mesh":"bunny.obj","eye":[0.1,1.5,3],"target":[0,0.25,0],"up":[0,1,0],"fovy_deg":45,
     "near":0.1,"far":100,"width":960,"height":540,"radius":0.3,"falloff":"exp",
     "normals":"given","ground":-1.0})";
 
-void expectRefused(const std::string& json, const std::string& reason) {
+void expectCaseRefused(const std::string& json, const std::string& reason) {
     const Loaded<Case> scene = parseCase(json, "cases/c.json");
     ASSERT_FALSE(scene.ok()) << json;
     EXPECT_EQ(scene.sentence().find("cases/c.json: "), 0U) << scene.sentence();
@@ -27,7 +27,7 @@ void expectRefused(const std::string& json, const std::string& reason) {
 }
 
 TEST(CaseTest, ReadsEveryKey) {
-    const Loaded<Case> scene = parseCase(text, "cases/c.json");
+    const Loaded<Case> scene = parseCase(caseText, "cases/c.json");
     ASSERT_TRUE(scene.ok()) << scene.sentence();
     EXPECT_EQ(scene->mesh, "bunny.obj");
     EXPECT_EQ(scene->eye, glm::vec3(0.1F, 1.5F, 3.0F));
@@ -46,13 +46,13 @@ TEST(CaseTest, ReadsEveryKey) {
 }
 
 TEST(CaseTest, GroundMayBeLeftOut) {
-    const Loaded<Case> scene = parseCase(replaced(text, R"(,"ground":-1.0)", ""), "c.json");
+    const Loaded<Case> scene = parseCase(replaced(caseText, R"(,"ground":-1.0)", ""), "c.json");
     ASSERT_TRUE(scene.ok()) << scene.sentence();
     EXPECT_FALSE(scene->ground.has_value());
 }
 
 TEST(CaseTest, WritingAndReadingGivesTheSame) {
-    Case scene = *parseCase(text, "cases/c.json");
+    Case scene = *parseCase(caseText, "cases/c.json");
     scene.radius = 0.1F + 0.2F;
     for (const Falloff falloff : {Falloff::Step, Falloff::Exp, Falloff::None}) {
         scene.falloff = falloff;
@@ -82,7 +82,7 @@ TEST(CaseTest, NamesMissingKeys) {
                             "height", "radius", "falloff", "normals"}) {
         const std::string quoted = std::string("\"") + key + "\"";
         const Loaded<Case> scene = parseCase(
-            replaced(replaced(text, quoted, "\"ground\""), "\"ground\":-1.0", "\"ground\":0"),
+            replaced(replaced(caseText, quoted, "\"ground\""), "\"ground\":-1.0", "\"ground\":0"),
             "c.json");
         ASSERT_FALSE(scene.ok()) << key;
         EXPECT_NE(scene.sentence().find("'" + std::string(key) + "' is missing"), std::string::npos)
@@ -91,43 +91,50 @@ TEST(CaseTest, NamesMissingKeys) {
 }
 
 TEST(CaseTest, NamesUnknownKeys) {
-    expectRefused(replaced(text, "\"ground\"", "\"floor\""), "'floor' is not a key of a case");
+    expectCaseRefused(replaced(caseText, "\"ground\"", "\"floor\""),
+                      "'floor' is not a key of a case");
 }
 
 TEST(CaseTest, ChecksTypes) {
-    expectRefused(replaced(text, "\"bunny.obj\"", "7"), "'mesh' is not a text");
-    expectRefused(replaced(text, "\"bunny.obj\"", "\"\""), "'mesh' is not a text");
-    expectRefused(replaced(text, "[0.1,1.5,3]", "[0.1,1.5]"), "'eye' is not a list of three");
-    expectRefused(replaced(text, "[0,0.25,0]", "[0,\"x\",0]"), "'target' is not a finite number");
-    expectRefused(replaced(text, "[0,0.25,0]", "[0,null,0]"), "'target' is not a finite number");
-    expectRefused(replaced(text, "[0,0.25,0]", "[0,1e39,0]"), "'target' is not a finite number");
-    expectRefused(replaced(text, ":45", ":\"wide\""), "'fovy_deg' is not a finite number");
-    expectRefused(replaced(text, ":960", ":960.5"), "'width' is not a whole number");
-    expectRefused(replaced(text, "-1.0", "\"low\""), "'ground' is not a finite number");
-    expectRefused(replaced(text, "\"exp\"", "\"linear\""), "'falloff' is 'linear'");
-    expectRefused(replaced(text, "\"given\"", "\"smooth\""), "'normals' is 'smooth'");
-    expectRefused(replaced(text, "-1.0", "NaN"), "not valid JSON");
-    expectRefused(replaced(text, "-1.0", "1e999"), "c.json");
-    expectRefused("[1]", "a case is a JSON object");
-    expectRefused("", "not valid JSON");
+    expectCaseRefused(replaced(caseText, "\"bunny.obj\"", "7"), "'mesh' is not a text");
+    expectCaseRefused(replaced(caseText, "\"bunny.obj\"", "\"\""), "'mesh' is not a text");
+    expectCaseRefused(replaced(caseText, "[0.1,1.5,3]", "[0.1,1.5]"),
+                      "'eye' is not a list of three");
+    expectCaseRefused(replaced(caseText, "[0,0.25,0]", "[0,\"x\",0]"),
+                      "'target' is not a finite number");
+    expectCaseRefused(replaced(caseText, "[0,0.25,0]", "[0,null,0]"),
+                      "'target' is not a finite number");
+    expectCaseRefused(replaced(caseText, "[0,0.25,0]", "[0,1e39,0]"),
+                      "'target' is not a finite number");
+    expectCaseRefused(replaced(caseText, ":45", ":\"wide\""), "'fovy_deg' is not a finite number");
+    expectCaseRefused(replaced(caseText, ":960", ":960.5"), "'width' is not a whole number");
+    expectCaseRefused(replaced(caseText, "-1.0", "\"low\""), "'ground' is not a finite number");
+    expectCaseRefused(replaced(caseText, "\"exp\"", "\"linear\""), "'falloff' is 'linear'");
+    expectCaseRefused(replaced(caseText, "\"given\"", "\"smooth\""), "'normals' is 'smooth'");
+    expectCaseRefused(replaced(caseText, "-1.0", "NaN"), "not valid JSON");
+    expectCaseRefused(replaced(caseText, "-1.0", "1e999"), "c.json");
+    expectCaseRefused("[1]", "a case is a JSON object");
+    expectCaseRefused("", "not valid JSON");
 }
 
 TEST(CaseTest, ChecksRanges) {
-    expectRefused(replaced(text, ":45", ":0"), "'fovy_deg'");
-    expectRefused(replaced(text, ":45", ":180"), "'fovy_deg'");
-    expectRefused(replaced(text, "\"near\":0.1", "\"near\":0"), "'near' is not above 0");
-    expectRefused(replaced(text, "\"far\":100", "\"far\":0.1"), "'far' is not above 'near'");
-    expectRefused(replaced(text, ":960", ":0"), "'width' is not a whole number from 1 to 16384");
-    expectRefused(replaced(text, ":540", ":16385"), "'height'");
-    expectRefused(replaced(text, ":540", ":-5"), "'height'");
-    expectRefused(replaced(text, ":0.3", ":0"), "'radius' is not above 0");
-    expectRefused(replaced(text, "[0.1,1.5,3]", "[0,0.25,0]"), "'eye' and 'target'");
-    expectRefused(replaced(text, "[0,1,0]", "[0,0,0]"), "'up' is parallel");
-    expectRefused(replaced(text, "[0,1,0]", "[0.1,1.25,3]"), "'up' is parallel");
+    expectCaseRefused(replaced(caseText, ":45", ":0"), "'fovy_deg'");
+    expectCaseRefused(replaced(caseText, ":45", ":180"), "'fovy_deg'");
+    expectCaseRefused(replaced(caseText, "\"near\":0.1", "\"near\":0"), "'near' is not above 0");
+    expectCaseRefused(replaced(caseText, "\"far\":100", "\"far\":0.1"),
+                      "'far' is not above 'near'");
+    expectCaseRefused(replaced(caseText, ":960", ":0"),
+                      "'width' is not a whole number from 1 to 16384");
+    expectCaseRefused(replaced(caseText, ":540", ":16385"), "'height'");
+    expectCaseRefused(replaced(caseText, ":540", ":-5"), "'height'");
+    expectCaseRefused(replaced(caseText, ":0.3", ":0"), "'radius' is not above 0");
+    expectCaseRefused(replaced(caseText, "[0.1,1.5,3]", "[0,0.25,0]"), "'eye' and 'target'");
+    expectCaseRefused(replaced(caseText, "[0,1,0]", "[0,0,0]"), "'up' is parallel");
+    expectCaseRefused(replaced(caseText, "[0,1,0]", "[0.1,1.25,3]"), "'up' is parallel");
 }
 
 TEST(CaseTest, LoadsItsSceneWithItsGround) {
-    Case scene = *parseCase(replaced(text, "bunny.obj", "cornell"), "cases/c.json");
+    Case scene = *parseCase(replaced(caseText, "bunny.obj", "cornell"), "cases/c.json");
     const Loaded<Model> model = loadCaseModel(scene);
     ASSERT_TRUE(model.ok()) << model.sentence();
     ASSERT_EQ(model->triangleCount(), 36U);
@@ -148,7 +155,7 @@ TEST(CaseTest, FindsItsMeshBesideItself) {
     const std::filesystem::path folder = std::filesystem::path(AOLIB_TEST_FOLDER) / "cases";
     std::filesystem::create_directories(folder);
     std::ofstream(folder / "one.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-    std::ofstream(folder / "one.json") << replaced(text, "bunny.obj", "one.obj");
+    std::ofstream(folder / "one.json") << replaced(caseText, "bunny.obj", "one.obj");
     const Loaded<Case> scene = readCase(folder / "one.json");
     ASSERT_TRUE(scene.ok()) << scene.sentence();
     const Loaded<Model> model = loadCaseModel(*scene);
@@ -159,7 +166,7 @@ TEST(CaseTest, FindsItsMeshBesideItself) {
 }
 
 TEST(CaseTest, GivesItsCamera) {
-    const Case scene = *parseCase(text, "c.json");
+    const Case scene = *parseCase(caseText, "c.json");
     const NamedCamera camera = caseCamera(scene);
     EXPECT_EQ(camera.eye, scene.eye);
     EXPECT_EQ(camera.target, scene.target);

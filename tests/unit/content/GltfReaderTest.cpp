@@ -17,13 +17,13 @@ using test::quadGlb;
 using test::quadJson;
 using test::replaced;
 
-Loaded<Model> read(const std::string& glb) {
+Loaded<Model> readGlb(const std::string& glb) {
     return readModel(glb, "some/quad.glb");
 }
 
 /// Expects a refusal whose sentence names the file and holds `reason`.
-void expectRefused(const std::string& glb, const std::string& reason) {
-    const Loaded<Model> model = read(glb);
+void expectGlbRefused(const std::string& glb, const std::string& reason) {
+    const Loaded<Model> model = readGlb(glb);
     ASSERT_FALSE(model.ok()) << "expected: " << reason;
     EXPECT_NE(model.sentence().find("quad.glb"), std::string::npos) << model.sentence();
     EXPECT_NE(model.sentence().find(reason), std::string::npos) << model.sentence();
@@ -35,7 +35,7 @@ std::string changedJson(const std::string& from, const std::string& to) {
 }
 
 TEST(GltfReaderTest, ReadsTrianglesNormalsAndName) {
-    const Loaded<Model> model = read(quadGlb());
+    const Loaded<Model> model = readGlb(quadGlb());
     ASSERT_TRUE(model.ok()) << model.sentence();
     EXPECT_EQ(model->name, "quad");
     ASSERT_EQ(model->meshes.size(), 1U);
@@ -49,7 +49,7 @@ TEST(GltfReaderTest, ReadsBaseColourAndDoubleSided) {
         quadJson(R"([{"mesh":0}])", R"(,"materials":[{"doubleSided":true,"pbrMetallicRoughness":
             {"baseColorFactor":[0.25,0.5,0.75,1]}}])"),
         R"("indices":2)", R"("indices":2,"material":0)");
-    const Loaded<Model> model = read(packGlb(json, quadBytes()));
+    const Loaded<Model> model = readGlb(packGlb(json, quadBytes()));
     ASSERT_TRUE(model.ok()) << model.sentence();
     EXPECT_EQ(model->meshes[0].baseColour, glm::vec4(0.25F, 0.5F, 0.75F, 1.0F));
     EXPECT_TRUE(model->meshes[0].doubleSided);
@@ -57,7 +57,7 @@ TEST(GltfReaderTest, ReadsBaseColourAndDoubleSided) {
 
 TEST(GltfReaderTest, ComposesTransformsDownTheTree) {
     const Loaded<Model> model =
-        read(quadGlb(R"([{"children":[1],"translation":[10,0,0],"scale":[2,2,2]},
+        readGlb(quadGlb(R"([{"children":[1],"translation":[10,0,0],"scale":[2,2,2]},
                          {"mesh":0,"rotation":[0,0,0.70710678,0.70710678],"translation":[0,3,0]}])"));
     ASSERT_TRUE(model.ok()) << model.sentence();
     const Bounds bounds = model->bounds(); // the quad turned by 90 degrees about z, then moved
@@ -68,7 +68,7 @@ TEST(GltfReaderTest, ComposesTransformsDownTheTree) {
 }
 
 TEST(GltfReaderTest, TakesMatricesAndInstancesOfOneMesh) {
-    const Loaded<Model> model = read(quadGlb(R"([{"children":[1,2]},{"mesh":0},
+    const Loaded<Model> model = readGlb(quadGlb(R"([{"children":[1,2]},{"mesh":0},
                     {"mesh":0,"matrix":[1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,5,1]}])"));
     ASSERT_TRUE(model.ok()) << model.sentence();
     EXPECT_EQ(model->triangleCount(), 4U);
@@ -77,11 +77,11 @@ TEST(GltfReaderTest, TakesMatricesAndInstancesOfOneMesh) {
 
 TEST(GltfReaderTest, StripsAndFansKeepTheirFacing) {
     // Over the corners 0 1 2 0 2 3 a strip turns its second triangle round.
-    const Loaded<Model> strip = read(changedJson(R"("indices":2)", R"("indices":2,"mode":5)"));
+    const Loaded<Model> strip = readGlb(changedJson(R"("indices":2)", R"("indices":2,"mode":5)"));
     ASSERT_TRUE(strip.ok()) << strip.sentence();
     EXPECT_EQ(strip->meshes[0].indices,
               (std::vector<std::uint32_t>{0, 1, 2, 2, 1, 0, 2, 0, 2, 2, 0, 3}));
-    const Loaded<Model> fan = read(changedJson(R"("indices":2)", R"("mode":6)"));
+    const Loaded<Model> fan = readGlb(changedJson(R"("indices":2)", R"("mode":6)"));
     ASSERT_TRUE(fan.ok()) << fan.sentence();
     EXPECT_EQ(fan->meshes[0].indices, (std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}));
 }
@@ -92,7 +92,7 @@ TEST(GltfReaderTest, SparseValuesReplaceTheVerticesTheyName) {
         R"({"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","sparse":{"count":2,
             "indices":{"bufferView":2,"byteOffset":2,"componentType":5123},
             "values":{"bufferView":1,"byteOffset":12}}})");
-    const Loaded<Model> model = read(packGlb(json, quadBytes()));
+    const Loaded<Model> model = readGlb(packGlb(json, quadBytes()));
     ASSERT_TRUE(model.ok()) << model.sentence();
     EXPECT_EQ(model->meshes[0].positions,
               (std::vector<glm::vec3>{{0, 0, 0}, {0, 0, 1}, {0, 0, 1}, {0, 1, 0}}));
@@ -106,7 +106,7 @@ TEST(GltfReaderTest, QuantisedAndNormalisedPositionsBecomeFloats) {
             replaced(replaced(quadJson(), R"("NORMAL":1},"indices":2)", R"("TANGENT":1})"),
                      R"({"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"})", accessor),
             R"("byteLength":48})", R"("byteLength":48,"byteStride":8})");
-        return read(packGlb(json, bytes));
+        return readGlb(packGlb(json, bytes));
     };
     const Loaded<Model> plain =
         reader(R"({"bufferView":0,"componentType":5123,"count":3,"type":"VEC3"})");
@@ -123,7 +123,7 @@ TEST(GltfReaderTest, MissingImagesDoNotMatter) {
     const std::string extra = R"(,"images":[{"uri":"gone.png"},{"bufferView":77}],
         "textures":[{"source":0}],"materials":[{"pbrMetallicRoughness":
         {"baseColorTexture":{"index":0}}}])";
-    const Loaded<Model> model = read(quadGlb(R"([{"mesh":0}])", extra));
+    const Loaded<Model> model = readGlb(quadGlb(R"([{"mesh":0}])", extra));
     EXPECT_TRUE(model.ok()) << model.sentence();
 }
 
@@ -144,71 +144,74 @@ TEST(GltfReaderTest, ReadsExternalBuffers) {
 }
 
 TEST(GltfReaderTest, RefusesGraphsThatAreNoTrees) {
-    expectRefused(quadGlb(R"([{"children":[1]},{"children":[0],"mesh":0}])"), "reached twice");
-    expectRefused(quadGlb(R"([{"children":[1,1]},{"mesh":0}])"), "reached twice");
-    expectRefused(quadGlb(R"([{"children":[7],"mesh":0}])"), "node 7 does not exist");
-    expectRefused(quadGlb(R"([{"mesh":3}])"), "names mesh 3, which does not exist");
-    expectRefused(changedJson(R"("scene":0)", R"("scene":4)"), "default scene 4 does not exist");
+    expectGlbRefused(quadGlb(R"([{"children":[1]},{"children":[0],"mesh":0}])"), "reached twice");
+    expectGlbRefused(quadGlb(R"([{"children":[1,1]},{"mesh":0}])"), "reached twice");
+    expectGlbRefused(quadGlb(R"([{"children":[7],"mesh":0}])"), "node 7 does not exist");
+    expectGlbRefused(quadGlb(R"([{"mesh":3}])"), "names mesh 3, which does not exist");
+    expectGlbRefused(changedJson(R"("scene":0)", R"("scene":4)"), "default scene 4 does not exist");
 }
 
 TEST(GltfReaderTest, RefusesTransformsThatAreNoTransforms) {
-    expectRefused(quadGlb(R"([{"mesh":0,"rotation":[0,0,0,0]}])"), "rotation of length zero");
-    expectRefused(quadGlb(R"([{"mesh":0,"scale":[1,2]}])"), "wrong number of values");
-    expectRefused(quadGlb(R"([{"mesh":0,"translation":[1e300,0,0]}])"), "not finite");
+    expectGlbRefused(quadGlb(R"([{"mesh":0,"rotation":[0,0,0,0]}])"), "rotation of length zero");
+    expectGlbRefused(quadGlb(R"([{"mesh":0,"scale":[1,2]}])"), "wrong number of values");
+    expectGlbRefused(quadGlb(R"([{"mesh":0,"translation":[1e300,0,0]}])"), "not finite");
 }
 
 TEST(GltfReaderTest, RefusesIndicesThatNameNoVertex) {
     std::string bytes = quadBytes();
     bytes[96] = 4;
-    expectRefused(packGlb(quadJson(), bytes), "index 4 names none of 4 vertices");
+    expectGlbRefused(packGlb(quadJson(), bytes), "index 4 names none of 4 vertices");
 }
 
 TEST(GltfReaderTest, RefusesValuesThatAreNotFinite) {
     std::string bytes = quadBytes();
     const std::string infinity = test::floatBytes({std::numeric_limits<float>::infinity()});
-    expectRefused(packGlb(quadJson(), bytes.replace(12, 4, infinity)),
-                  "the position of vertex 1 is not finite");
+    expectGlbRefused(packGlb(quadJson(), bytes.replace(12, 4, infinity)),
+                     "the position of vertex 1 is not finite");
     bytes = quadBytes();
     const std::string nan = test::floatBytes({std::numeric_limits<float>::quiet_NaN()});
-    expectRefused(packGlb(quadJson(), bytes.replace(60, 4, nan)),
-                  "the normal of vertex 1 is not finite");
+    expectGlbRefused(packGlb(quadJson(), bytes.replace(60, 4, nan)),
+                     "the normal of vertex 1 is not finite");
 }
 
 TEST(GltfReaderTest, RefusesBytesOutsideTheirBuffers) {
-    expectRefused(changedJson(R"("count":4)", R"("count":5)"), "past the end of its buffer view");
-    expectRefused(changedJson(R"("byteLength":48})", R"("byteLength":480})"),
-                  "past the end of its buffer");
-    expectRefused(changedJson(R"("bufferView":0)", R"("bufferView":9)"), "buffer view 9");
-    expectRefused(changedJson(R"("buffer":0)", R"("buffer":3)"), "buffer 3");
-    expectRefused(changedJson(R"({"byteLength":108})", R"({"byteLength":1080})"),
-                  "should have 1080 bytes");
-    expectRefused(changedJson(R"("count":4)", R"("count":18446744073709551615)"), "past the end");
-    expectRefused(changedJson(R"("bufferView":0,"componentType":5126,"count":4)",
-                              R"("componentType":5126,"count":999999999999)"),
-                  "without any bytes");
+    expectGlbRefused(changedJson(R"("count":4)", R"("count":5)"),
+                     "past the end of its buffer view");
+    expectGlbRefused(changedJson(R"("byteLength":48})", R"("byteLength":480})"),
+                     "past the end of its buffer");
+    expectGlbRefused(changedJson(R"("bufferView":0)", R"("bufferView":9)"), "buffer view 9");
+    expectGlbRefused(changedJson(R"("buffer":0)", R"("buffer":3)"), "buffer 3");
+    expectGlbRefused(changedJson(R"({"byteLength":108})", R"({"byteLength":1080})"),
+                     "should have 1080 bytes");
+    expectGlbRefused(changedJson(R"("count":4)", R"("count":18446744073709551615)"),
+                     "past the end");
+    expectGlbRefused(changedJson(R"("bufferView":0,"componentType":5126,"count":4)",
+                                 R"("componentType":5126,"count":999999999999)"),
+                     "without any bytes");
 }
 
 TEST(GltfReaderTest, RefusesDamagedContainers) {
     const std::string glb = quadGlb();
-    expectRefused("", "empty");
-    expectRefused(glb.substr(0, 10), "truncated");
-    expectRefused(glb.substr(0, glb.size() - 1), "truncated, the header promises");
-    expectRefused("not a glTF at all", "not valid JSON");
-    expectRefused("[1,2]", "not an object");
-    expectRefused(changedJson("\"asset\"", "\"basset\""), "not a usable glTF");
-    expectRefused(replaced(glb, "JSON", "NOSJ"), "without a JSON chunk");
-    expectRefused(replaced(glb, std::string("\2\0\0\0", 4), std::string("\1\0\0\0", 4)),
-                  "container version 1");
+    expectGlbRefused("", "empty");
+    expectGlbRefused(glb.substr(0, 10), "truncated");
+    expectGlbRefused(glb.substr(0, glb.size() - 1), "truncated, the header promises");
+    expectGlbRefused("not a glTF at all", "not valid JSON");
+    expectGlbRefused("[1,2]", "not an object");
+    expectGlbRefused(changedJson("\"asset\"", "\"basset\""), "not a usable glTF");
+    expectGlbRefused(replaced(glb, "JSON", "NOSJ"), "without a JSON chunk");
+    expectGlbRefused(replaced(glb, std::string("\2\0\0\0", 4), std::string("\1\0\0\0", 4)),
+                     "container version 1");
 }
 
 TEST(GltfReaderTest, RefusesWhatItCannotRead) {
-    expectRefused(
+    expectGlbRefused(
         quadGlb(R"([{"mesh":0}])", R"(,"extensionsRequired":["KHR_draco_mesh_compression"])"),
         "KHR_draco_mesh_compression");
-    expectRefused(
+    expectGlbRefused(
         quadGlb(R"([{"mesh":0}])", ",\"extras\":" + std::string(500, '[') + std::string(500, ']')),
         "nests deeper");
-    expectRefused(changedJson(R"("indices":2)", R"("indices":2,"mode":1)"), "holds no triangles");
+    expectGlbRefused(changedJson(R"("indices":2)", R"("indices":2,"mode":1)"),
+                     "holds no triangles");
     const Loaded<Model> unknown = readModel("x", "thing.stl");
     ASSERT_FALSE(unknown.ok());
     EXPECT_NE(unknown.sentence().find("thing.stl: not a model file"), std::string::npos);

@@ -8,7 +8,7 @@
 namespace aolib {
 namespace {
 
-const std::filesystem::path folder = std::filesystem::path(AOLIB_TEST_FOLDER) / "scenes";
+const std::filesystem::path scenesFolder = std::filesystem::path(AOLIB_TEST_FOLDER) / "scenes";
 const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
 /// Sets AOLIB_MODELS_DIR for one test and puts it back.
@@ -36,9 +36,9 @@ private:
 };
 
 void fillFolder() {
-    std::filesystem::create_directories(folder / "sub.glb");
+    std::filesystem::create_directories(scenesFolder / "sub.glb");
     for (const char* name : {"b.obj", "a.OBJ", "notes.txt"}) {
-        std::ofstream(folder / name) << triangle;
+        std::ofstream(scenesFolder / name) << triangle;
     }
 }
 
@@ -51,7 +51,7 @@ TEST(SceneSourceTest, NamesWinOverFiles) {
 
 TEST(SceneSourceTest, OpensFiles) {
     fillFolder();
-    const std::string path = (folder / "b.obj").string();
+    const std::string path = (scenesFolder / "b.obj").string();
     const Loaded<Model> model = openScene(path);
     ASSERT_TRUE(model.ok()) << model.sentence();
     EXPECT_EQ(model->triangleCount(), 1U);
@@ -68,17 +68,17 @@ TEST(SceneSourceTest, SaysWhichNamesThereAre) {
 
 TEST(SceneSourceTest, FindsModelFilesOnly) {
     fillFolder();
-    const std::vector<std::filesystem::path> files = findModels(folder);
+    const std::vector<std::filesystem::path> files = findModels(scenesFolder);
     ASSERT_EQ(files.size(), 2U);
     EXPECT_EQ(files[0].filename(), "a.OBJ");
     EXPECT_EQ(files[1].filename(), "b.obj");
-    EXPECT_TRUE(findModels(folder / "nowhere").empty());
+    EXPECT_TRUE(findModels(scenesFolder / "nowhere").empty());
 }
 
 TEST(SceneSourceTest, TheEnvironmentNamesTheModelsFolder) {
     fillFolder();
-    const ModelsDirGuard guard(folder.string());
-    EXPECT_EQ(defaultModelsDir(), folder);
+    const ModelsDirGuard guard(scenesFolder.string());
+    EXPECT_EQ(defaultModelsDir(), scenesFolder);
     EXPECT_GE(availableModels().size(), 2U);
 }
 

@@ -40,7 +40,7 @@ public:
 namespace aolib {
 namespace {
 
-constexpr double longTime = 6e4; ///< milliseconds
+constexpr double patience = 6e4; ///< milliseconds
 
 TexelRequest largeRequest() {
     TexelRequest request;
@@ -59,13 +59,13 @@ TEST(OutOfMemory, OfAResultIsAStatus) {
     {
         const Shortage shortage(512 * 512);
         (*tracer)->request({largeRequest()});
-        ASSERT_TRUE((*tracer)->wait(longTime));
+        ASSERT_TRUE((*tracer)->wait(patience));
     }
     EXPECT_EQ((*tracer)->status().code(), StatusCode::OutOfMemory);
     EXPECT_EQ((*tracer)->pending(), 0U);
     // And it goes on.
     (*tracer)->request({largeRequest()});
-    ASSERT_TRUE((*tracer)->wait(longTime));
+    ASSERT_TRUE((*tracer)->wait(patience));
     EXPECT_EQ((*tracer)->take(1).size(), 1U);
 }
 
@@ -82,7 +82,7 @@ TEST(OutOfMemory, OfTheSceneIsAStatus) {
         const Shortage shortage(4096);
         (*tracer)->setScene(std::move(positions), std::move(indices));
         (*tracer)->request({largeRequest()});
-        ASSERT_TRUE((*tracer)->wait(longTime));
+        ASSERT_TRUE((*tracer)->wait(patience));
     }
     EXPECT_EQ((*tracer)->status().code(), StatusCode::OutOfMemory);
     EXPECT_EQ((*tracer)->pending(), 0U);

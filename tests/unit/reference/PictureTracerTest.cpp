@@ -17,11 +17,11 @@ namespace {
 using test::sceneOf;
 using test::tracing;
 
-const glm::dvec3 up(0.0, 1.0, 0.0);
+const glm::dvec3 skywards(0.0, 1.0, 0.0);
 
 /// 8 x 6 pixels from (0, 0, 5) towards the origin.
 PictureCamera cameraOf(const glm::dmat4& projection) {
-    return {glm::lookAt(glm::dvec3(0, 0, 5), glm::dvec3(0), up), projection, 8, 6};
+    return {glm::lookAt(glm::dvec3(0, 0, 5), glm::dvec3(0), skywards), projection, 8, 6};
 }
 
 glm::dmat4 perspective() {
@@ -156,7 +156,8 @@ TEST(PictureTracer, FloorBesideAWallAgreesWithTheClosedForm) {
         const glm::dvec3 offset(away, -away, away);
         const RayScene scene = sceneOf(test::floorAndWall(2.0, 1.0, offset));
         PictureCamera camera;
-        camera.view = glm::lookAt(offset + glm::dvec3(3, 4, 2), offset + glm::dvec3(1, 0, 0), up);
+        camera.view =
+            glm::lookAt(offset + glm::dvec3(3, 4, 2), offset + glm::dvec3(1, 0, 0), skywards);
         camera.projection = glm::perspective(0.7, 1.0, 0.1, 50.0);
         camera.width = 16;
         camera.height = 16;

@@ -19,13 +19,13 @@ using test::sceneOf;
 using test::tracing;
 using test::visibilityAt;
 
-const glm::dvec3 up(0.0, 1.0, 0.0);
+const glm::dvec3 normal(0.0, 1.0, 0.0);
 
 /// Receivers on the floor at growing distances from the wall.
 std::vector<Receiver> floorReceivers(int count) {
     std::vector<Receiver> receivers;
     for (int i = 0; i < count; ++i) {
-        receivers.push_back({{0.05 + 4.0 * i / count, 0.0, 0.37 * i}, up});
+        receivers.push_back({{0.05 + 4.0 * i / count, 0.0, 0.37 * i}, normal});
     }
     return receivers;
 }
@@ -50,14 +50,14 @@ TEST(VisibilityTracer, ScaleDoesNotMatter) {
     for (const double scale : {1e-4, 1.0, 1e6}) {
         SCOPED_TRACE(scale);
         const RayScene scene = sceneOf(test::floorAndWall(2.0, scale));
-        const Receiver receiver{scale * glm::dvec3(1.0, 0.0, 0.0), up};
+        const Receiver receiver{scale * glm::dvec3(1.0, 0.0, 0.0), normal};
         const auto none = visibilityAt(scene, receiver, tracing(65536));
         EXPECT_NEAR(1.0 - none.visibility, wallOcclusion(2.0, 1.0),
                     4.0 * std::sqrt(none.variance) + 2e-5);
         const auto step = visibilityAt(scene, receiver, tracing(4096, Falloff::Step, 1.5 * scale));
         const auto exp = visibilityAt(scene, receiver, tracing(4096, Falloff::Exp, 1.5 * scale));
         const RayScene unit = sceneOf(test::floorAndWall(2.0));
-        const Receiver same{{1.0, 0.0, 0.0}, up};
+        const Receiver same{{1.0, 0.0, 0.0}, normal};
         // Equal random numbers: only rays within rounding of an edge may differ.
         EXPECT_NEAR(step.visibility,
                     visibilityAt(unit, same, tracing(4096, Falloff::Step, 1.5)).visibility, 0.001);
@@ -72,10 +72,10 @@ TEST(VisibilityTracer, FarTranslationDoesNotMatter) {
     const glm::dvec3 away(1e5, 1e5, -1e5);
     const RayScene scene = sceneOf(test::floorAndWall(2.0, 1.0, away));
     const glm::dvec3 position = away + glm::dvec3(1.0, 0.0, 0.0);
-    const auto known = visibilityAt(scene, {position, up, 1e-5}, tracing(65536));
+    const auto known = visibilityAt(scene, {position, normal, 1e-5}, tracing(65536));
     EXPECT_NEAR(1.0 - known.visibility, wallOcclusion(2.0, 1.0),
                 4.0 * std::sqrt(known.variance) + 2e-5);
-    const auto derived = visibilityAt(scene, {position, up}, tracing(65536));
+    const auto derived = visibilityAt(scene, {position, normal}, tracing(65536));
     EXPECT_NEAR(1.0 - derived.visibility, wallOcclusion(2.0, 1.0),
                 4.0 * std::sqrt(derived.variance) + 0.01);
 }
@@ -83,7 +83,7 @@ TEST(VisibilityTracer, FarTranslationDoesNotMatter) {
 TEST(VisibilityTracer, EmptySceneIsOpen) {
     const RayScene scene = sceneOf({});
     for (const Falloff falloff : {Falloff::Step, Falloff::Exp, Falloff::None}) {
-        const auto estimate = visibilityAt(scene, {{1.0, 2.0, 3.0}, up}, tracing(64, falloff));
+        const auto estimate = visibilityAt(scene, {{1.0, 2.0, 3.0}, normal}, tracing(64, falloff));
         EXPECT_EQ(estimate.visibility, 1.0);
         EXPECT_EQ(estimate.variance, 0.0);
     }
@@ -95,15 +95,15 @@ TEST(VisibilityTracer, TrianglesWithoutAreaDoNotOcclude) {
     mesh.positions.insert(mesh.positions.end(), {{1, 1, 0}, {1, 1, 0}, {1, 1, 5}, {1, 1, 9}});
     mesh.indices.insert(mesh.indices.end(), {8, 8, 8, 8, 9, 10, 8, 10, 11});
     const RayScene littered = sceneOf(mesh);
-    const Receiver receiver{{1.0, 0.0, 0.0}, up};
+    const Receiver receiver{{1.0, 0.0, 0.0}, normal};
     EXPECT_EQ(visibilityAt(clean, receiver, tracing(4096)).visibility,
               visibilityAt(littered, receiver, tracing(4096)).visibility);
 }
 
 TEST(VisibilityTracer, NormalsMayHaveAnyLength) {
     const RayScene scene = sceneOf(test::floorAndWall(2.0));
-    EXPECT_EQ(visibilityAt(scene, {{1.0, 0.0, 0.0}, up}, tracing(256)).visibility,
-              visibilityAt(scene, {{1.0, 0.0, 0.0}, 1000.0 * up}, tracing(256)).visibility);
+    EXPECT_EQ(visibilityAt(scene, {{1.0, 0.0, 0.0}, normal}, tracing(256)).visibility,
+              visibilityAt(scene, {{1.0, 0.0, 0.0}, 1000.0 * normal}, tracing(256)).visibility);
 }
 
 /// What the tracer says of its noise is true: against 16 times the rays, whose own noise is an
@@ -153,7 +153,7 @@ TEST(VisibilityTracer, SameSeedSameResultWhateverTheThreads) {
 
 TEST(VisibilityTracer, NeighboursDoNotShareTheirNoise) {
     const RayScene scene = sceneOf(test::floorAndWall(2.0));
-    const std::vector<Receiver> receivers(64, Receiver{{1.0, 0.0, 0.0}, up});
+    const std::vector<Receiver> receivers(64, Receiver{{1.0, 0.0, 0.0}, normal});
     const VisibilityList list = traced(scene, tracing(128), receivers);
     double mean = 0.0;
     for (const float w : list.visibility) {
@@ -167,7 +167,7 @@ TEST(VisibilityTracer, NeighboursDoNotShareTheirNoise) {
 /// W under a smooth falloff is not counted in steps, so no two equal receivers agree by chance.
 TEST(VisibilityTracer, EveryReceiverHasItsOwnNoise) {
     const RayScene scene = sceneOf(test::floorAndWall(2.0));
-    const std::vector<Receiver> receivers(64, Receiver{{1.0, 0.0, 0.0}, up});
+    const std::vector<Receiver> receivers(64, Receiver{{1.0, 0.0, 0.0}, normal});
     const VisibilityList list = traced(scene, tracing(128, Falloff::Exp), receivers);
     EXPECT_EQ(std::set<float>(list.visibility.begin(), list.visibility.end()).size(), 64U);
 }
@@ -224,10 +224,10 @@ TEST(VisibilityTracer, BadSettingsAndReceiversAreRefused) {
     const auto receiverCode = [&](const Receiver& receiver) {
         return tracer->trace(std::vector<Receiver>{receiver}).status().code();
     };
-    EXPECT_EQ(receiverCode({{nan, 0.0, 0.0}, up}), StatusCode::InvalidPosition);
+    EXPECT_EQ(receiverCode({{nan, 0.0, 0.0}, normal}), StatusCode::InvalidPosition);
     EXPECT_EQ(receiverCode({{0.0, 0.0, 0.0}, {0.0, nan, 0.0}}), StatusCode::InvalidNormal);
     EXPECT_EQ(receiverCode({{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}}), StatusCode::InvalidNormal);
-    EXPECT_EQ(receiverCode({{0.0, 0.0, 0.0}, up, nan}), StatusCode::InvalidPosition);
+    EXPECT_EQ(receiverCode({{0.0, 0.0, 0.0}, normal, nan}), StatusCode::InvalidPosition);
 }
 
 } // namespace

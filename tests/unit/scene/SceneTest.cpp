@@ -9,7 +9,7 @@
 namespace aolib {
 namespace {
 
-constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+constexpr float kNotANumber = std::numeric_limits<float>::quiet_NaN();
 
 const std::vector<glm::vec3> kPositions{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}};
 const std::vector<std::uint32_t> kIndices{0, 1, 2};
@@ -25,13 +25,13 @@ StatusCode codeOf(const MeshData& data) {
 }
 
 TEST(MakeMeshTest, EachFaultHasItsCode) {
-    const std::vector<glm::vec3> holed{{0, 0, 0}, {kNaN, 0, 0}, {0, 2, 0}};
+    const std::vector<glm::vec3> holed{{0, 0, 0}, {kNotANumber, 0, 0}, {0, 2, 0}};
     const std::vector<std::uint32_t> two{0, 1};
     const std::vector<std::uint32_t> outside{0, 1, 3};
     const std::vector<glm::vec3> oneNormal{{0, 0, 1}};
-    const std::vector<glm::vec3> badNormals{{0, 0, 1}, {0, 0, kNaN}, {0, 0, 1}};
+    const std::vector<glm::vec3> badNormals{{0, 0, 1}, {0, 0, kNotANumber}, {0, 0, 1}};
     glm::mat4 badTransform(1.0F);
-    badTransform[3][1] = kNaN;
+    badTransform[3][1] = kNotANumber;
     EXPECT_EQ(codeOf({}), StatusCode::EmptyMesh);
     EXPECT_EQ(codeOf({kPositions, {}, {}}), StatusCode::EmptyMesh);
     EXPECT_EQ(codeOf({{}, {}, kIndices}), StatusCode::EmptyMesh);
@@ -75,7 +75,7 @@ TEST(SceneTest, RefusedMoveLeavesTheMeshWhereItWas) {
     Scene scene;
     const MeshId id = scene.add(triangle());
     glm::mat4 bad(1.0F);
-    bad[0][0] = kNaN;
+    bad[0][0] = kNotANumber;
     EXPECT_EQ(scene.move(id, bad).code(), StatusCode::InvalidPosition);
     EXPECT_EQ(scene.meshes().at(id).transform, glm::mat4(1.0F));
 }

@@ -18,7 +18,7 @@ struct Glyph {
 };
 
 constexpr double kUnitsPerSize = 16.6; ///< so that capitals are 0.72 of the font's size high
-constexpr int kGap = 3;                ///< between characters
+constexpr int kLetterGap = 3;          ///< between characters
 constexpr char kFirst = ' ';
 constexpr Glyph kUnknown{6, "0e0q6q6e0e"};
 
@@ -162,7 +162,7 @@ Stroke parse(std::string_view text) {
 double textWidth(const std::string& text, double size) {
     int units = 0;
     for (const char character : text) {
-        units += glyphOf(character).width + kGap;
+        units += glyphOf(character).width + kLetterGap;
     }
     return double(units) * size / kUnitsPerSize;
 }
@@ -170,7 +170,7 @@ double textWidth(const std::string& text, double size) {
 std::vector<Stroke> textStrokes(const std::string& text, double size) {
     const double scale = size / kUnitsPerSize;
     std::vector<Stroke> strokes;
-    double x = 0.5 * kGap;
+    double x = 0.5 * kLetterGap;
     for (const char character : text) {
         std::string_view rest = glyphOf(character).strokes;
         while (!rest.empty()) {
@@ -182,7 +182,7 @@ std::vector<Stroke> textStrokes(const std::string& text, double size) {
             strokes.push_back(std::move(stroke));
             rest.remove_prefix(std::min(end + 1, rest.size()));
         }
-        x += glyphOf(character).width + kGap;
+        x += glyphOf(character).width + kLetterGap;
     }
     return strokes;
 }

@@ -117,9 +117,9 @@ Status PoseRun::prepare() {
             }
         }
     }
-    constexpr std::uint32_t truthSeed = 1;
+    constexpr std::uint32_t seed = 1;
     for (int test = 0; test < plan_.tests; ++test) {
-        Result<Values> values = bakeAt(testTime(test), truthSeed);
+        Result<Values> values = bakeAt(testTime(test), seed);
         if (!values) {
             return values.status();
         }
@@ -131,7 +131,7 @@ Status PoseRun::prepare() {
         return {StatusCode::InvalidPosition, still.sentence()};
     }
     Result<Values> rest = baked(*still, plan_.rays, 0);
-    Result<Values> again = bakeAt(testTime(0), truthSeed + 1);
+    Result<Values> again = bakeAt(testTime(0), seed + 1);
     if (!rest || !again) {
         return rest ? again.status() : rest.status();
     }

@@ -171,12 +171,8 @@ void addBenchBake(CLI::App& bench, MaybeFailure& failure) {
     CLI::App* command =
         bench.add_subcommand("bake", "time and error of the bakers over meshes of the sizes of "
                                      "McGraw and Sowers 2008, table 1");
-    command
-        ->add_option(
-            "--mesh", flags->meshes,
-            "bumps-N (N triangles), a shape such as uv-shapes, or a model; may be repeated")
-        ->type_name("MESH")
-        ->allow_extra_args(false);
+    addTexts(*command, "--mesh", flags->meshes, "MESH",
+             "bumps-N (N triangles), a shape such as uv-shapes, or a model; may be repeated");
     addChoice<Method>(
         *command, "--method",
         {{"rays", Method::Rays},
@@ -190,14 +186,9 @@ void addBenchBake(CLI::App& bench, MaybeFailure& failure) {
     addWholeNumber(
         *command, "--size", 16, 4096, [flags](int size) { flags->size = size; },
         "texels along the map; without it 512, quick 128");
-    addWholeNumber(
-        *command, "--truth-rays", 1, kMostRays, [flags](int rays) { flags->truthRays = rays; },
-        "per texel")
-        ->default_str("4096");
-    addWholeNumber(
-        *command, "--repeats", 1, 100, [flags](int count) { flags->repeats = count; },
-        "of each bake; the median time counts")
-        ->default_str("1");
+    addWholeNumber(*command, "--truth-rays", 1, kMostRays, flags->truthRays, "per texel");
+    addWholeNumber(*command, "--repeats", 1, kMostRepeats, flags->repeats,
+                   "of each bake; the median time counts");
     command->add_flag("--quick", flags->quick, "three meshes, small maps, 32 and 64 samples");
     command->add_flag("--resume", flags->resume,
                       "measure only what the folder's bake.csv lacks; truths are kept in files");

@@ -169,26 +169,14 @@ void addBenchEnvironment(CLI::App& bench, MaybeFailure& failure) {
     const auto flags = std::make_shared<BenchEnvironmentFlags>();
     CLI::App* command = bench.add_subcommand(
         "environment", "error and time of environment lighting against a traced picture");
-    command
-        ->add_option("--scene", flags->scenes,
-                     "a model or a generated scene; may be repeated. Without it town, bunny and "
-                     "flight_helmet")
-        ->type_name("SCENE")
-        ->allow_extra_args(false);
-    command
-        ->add_option("--environment", flags->environments,
-                     "a .hdr file or a generated environment; may be repeated. Without it all "
-                     "generated ones")
-        ->type_name("ENVIRONMENT")
-        ->allow_extra_args(false);
-    addWholeNumber(
-        *command, "--width", 16, 4096, [flags](int width) { flags->width = width; },
-        "pixels; the height is 9/16 of it")
-        ->default_str("320");
-    addWholeNumber(
-        *command, "--truth-rays", 8, kMostRays, [flags](int rays) { flags->truthRays = rays; },
-        "per pixel")
-        ->default_str("1024");
+    addTexts(*command, "--scene", flags->scenes, "SCENE",
+             "a model or a generated scene; may be repeated. Without it town, bunny and "
+             "flight_helmet");
+    addTexts(*command, "--environment", flags->environments, "ENVIRONMENT",
+             "a .hdr file or a generated environment; may be repeated. Without it all generated "
+             "ones");
+    addWholeNumber(*command, "--width", 16, 4096, flags->width, "pixels; the height is 9/16 of it");
+    addWholeNumber(*command, "--truth-rays", 8, kMostRays, flags->truthRays, "per pixel");
     command->add_flag("--quick", flags->quick, "one small scene, few rays");
     command
         ->add_option("--out", flags->out, "folder for environment.csv, environment.md and pictures")

@@ -77,23 +77,13 @@ void addBenchPoses(CLI::App& bench, MaybeFailure& failure) {
     const auto flags = std::make_shared<BenchPosesFlags>();
     CLI::App* command = bench.add_subcommand(
         "poses", "error of vertices' visibility between baked poses, against fresh bakes");
-    command
-        ->add_option("--model", flags->models,
-                     "a glTF with animations, or arm, hinge, bellows; may be repeated. Without it "
-                     "those three")
-        ->type_name("MODEL")
-        ->allow_extra_args(false);
-    addWholeNumber(
-        *command, "--rays", 1, kMostRays, [flags](int rays) { flags->rays = rays; }, "per vertex")
-        ->default_str("1024");
-    addWholeNumber(
-        *command, "--tests", 1, 1000, [flags](int tests) { flags->tests = tests; },
-        "times that are compared")
-        ->default_str("8");
-    addWholeNumber(
-        *command, "--animation", 0, 100000, [flags](int number) { flags->animation = number; },
-        "which one, by its number in the file")
-        ->default_str("0");
+    addTexts(*command, "--model", flags->models, "MODEL",
+             "a glTF with animations, or arm, hinge, bellows; may be repeated. Without it those "
+             "three");
+    addWholeNumber(*command, "--rays", 1, kMostRays, flags->rays, "per vertex");
+    addWholeNumber(*command, "--tests", 1, 1000, flags->tests, "times that are compared");
+    addWholeNumber(*command, "--animation", 0, 100000, flags->animation,
+                   "which one, by its number in the file");
     command->footer("Examples:\n"
                     "  aolib bench poses\n"
                     "  aolib bench poses --model fox.glb --animation 1");

@@ -28,6 +28,12 @@ CLI::Option* addWholeNumber(CLI::App& command, const std::string& flag, int min,
     return command.add_option_function<std::string>(flag, parse, help)->type_name("INT");
 }
 
+CLI::Option* addWholeNumber(CLI::App& command, const std::string& flag, int min, int max,
+                            int& value, const std::string& help) {
+    const auto take = [&value](int number) { value = number; };
+    return addWholeNumber(command, flag, min, max, take, help)->default_str(std::to_string(value));
+}
+
 CLI::Option* addNumber(CLI::App& command, const std::string& flag,
                        const std::function<void(double)>& take, const std::string& help) {
     const auto parse = [=](const std::string& text) {
@@ -55,6 +61,11 @@ CLI::Option* addVector(CLI::App& command, const std::string& flag,
     return command.add_option_function<std::vector<std::string>>(flag, parse, help)
         ->type_name("X,Y,Z")
         ->allow_extra_args(false);
+}
+
+CLI::Option* addTexts(CLI::App& command, const std::string& flag, std::vector<std::string>& values,
+                      const std::string& type, const std::string& help) {
+    return command.add_option(flag, values, help)->type_name(type)->allow_extra_args(false);
 }
 
 CLI::Option* addNameOf(CLI::App& command, const std::string& flag,

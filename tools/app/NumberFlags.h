@@ -29,12 +29,18 @@ inline constexpr int kMostRays = 1 << 20;
 /// A whole number between `min` and `max`.
 CLI::Option* addWholeNumber(CLI::App& command, const std::string& flag, int min, int max,
                             const std::function<void(int)>& take, const std::string& help);
+/// The same, into a variable that holds the default and must outlive the command.
+CLI::Option* addWholeNumber(CLI::App& command, const std::string& flag, int min, int max,
+                            int& value, const std::string& help);
 /// A finite number.
 CLI::Option* addNumber(CLI::App& command, const std::string& flag,
                        const std::function<void(double)>& take, const std::string& help);
 /// "x,y,z". Repeating the flag calls `take` again.
 CLI::Option* addVector(CLI::App& command, const std::string& flag,
                        const std::function<void(const glm::vec3&)>& take, const std::string& help);
+/// Texts, one each time that the flag is given, into a variable that must outlive the command.
+CLI::Option* addTexts(CLI::App& command, const std::string& flag, std::vector<std::string>& values,
+                      const std::string& type, const std::string& help);
 /// One of `names`; `take` gets its number.
 CLI::Option* addNameOf(CLI::App& command, const std::string& flag,
                        const std::vector<std::string>& names,

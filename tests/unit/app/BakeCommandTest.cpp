@@ -246,6 +246,17 @@ TEST_F(BakeCommandTest, WhatCannotBeUsedIsRefused) {
     expectRefused({"bake", "cut.glb", "-o", "a.glb"}, {"cut.glb"});
 }
 
+/// Whether a process has a handler for a signal, as Linux tells of it.
+bool catches(pid_t process, int signal) {
+    std::ifstream status("/proc/" + std::to_string(process) + "/status");
+    for (std::string line; std::getline(status, line);) {
+        if (line.starts_with("SigCgt:")) {
+            return (std::stoull(line.substr(7), nullptr, 16) >> (signal - 1) & 1U) != 0;
+        }
+    }
+    return false;
+}
+
 TEST_F(BakeCommandTest, CtrlCLeavesNothingBehind) {
     const pid_t child = fork();
     if (child == 0) {
@@ -259,6 +270,9 @@ TEST_F(BakeCommandTest, CtrlCLeavesNothingBehind) {
         _exit(127);
     }
     ASSERT_GT(child, 0);
+    for (int ms = 0; !catches(child, SIGINT) && ms < 60000; ++ms) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
     std::this_thread::sleep_for(std::chrono::seconds(1)); // the bake itself takes hours
     kill(child, SIGINT);
     int status = 0;

@@ -30,15 +30,19 @@ TEST(ParallelLoop, VisitsEveryIndexOnce) {
 
 TEST(ParallelLoop, ReportsRisingProgressFromTheCallersThread) {
     std::vector<double> fractions;
+    std::atomic<int> reports{0};
     const auto caller = std::this_thread::get_id();
     EXPECT_TRUE(parallelLoop(
         64, 2,
-        [](std::size_t, std::size_t) {
-            std::this_thread::sleep_for(std::chrono::milliseconds(70));
+        [&](std::size_t, std::size_t) { // lasts until there was a report on the way
+            for (int ms = 0; reports < 2 && ms < 60000; ++ms) {
+                std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            }
         },
         [&](double fraction) {
             EXPECT_EQ(std::this_thread::get_id(), caller);
             fractions.push_back(fraction);
+            ++reports;
             return true;
         }));
     ASSERT_GE(fractions.size(), 3U);

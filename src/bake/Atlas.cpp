@@ -1,6 +1,7 @@
 #include <aolib/bake/Atlas.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <new>
 #include <numeric>
@@ -22,7 +23,9 @@ constexpr int searchSteps = 24;
 class Packing {
 public:
     Packing(const std::vector<AtlasChart>& charts, int width, int height, int gap)
-        : charts_(charts), width_(width), height_(height), gap_(gap), order_(charts.size()) {
+        : charts_(charts), width_(width), height_(height), gap_(gap),
+          block_(static_cast<int>(std::bit_floor(static_cast<unsigned>(std::max(gap, 1))))),
+          order_(charts.size()) {
         std::iota(order_.begin(), order_.end(), std::size_t{0});
         std::stable_sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) {
             return charts[a].size.y > charts[b].size.y;
@@ -35,7 +38,9 @@ public:
         glm::ivec2 next(0);
         int rowHeight = 0;
         for (const std::size_t i : order_) {
-            const glm::vec2 wanted = glm::ceil(charts_[i].size * scale) + float(gap_ + 1);
+            const auto block = static_cast<float>(block_);
+            const glm::vec2 wanted =
+                glm::ceil((charts_[i].size * scale + float(gap_)) / block) * block;
             if (!(wanted.x <= float(width_) && wanted.y <= float(height_))) {
                 return {};
             }
@@ -59,6 +64,7 @@ private:
     int width_;
     int height_;
     int gap_;
+    int block_; ///< charts' places are squares of this edge, texels, and theirs alone
     std::vector<std::size_t> order_; ///< tallest first
 };
 
@@ -136,7 +142,7 @@ Result<Atlas> makeAtlas(const std::vector<const Surface*>& surfaces, int width, 
     std::vector<std::vector<glm::vec2>> uvs(charts.size());
     for (std::size_t c = 0; c < charts.size(); ++c) {
         for (const glm::vec2& p : charts[c].corners) {
-            uvs[c].push_back((glm::vec2(places[c]) + 0.5F * float(gap + 1) + p * low) / size);
+            uvs[c].push_back((glm::vec2(places[c]) + 0.5F * float(gap) + p * low) / size);
         }
     }
     for (std::size_t i = 0; i < surfaces.size(); ++i) {

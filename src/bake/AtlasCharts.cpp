@@ -24,7 +24,7 @@ constexpr double coneCosine = 0.7071;
 /// Turns that are tried for the smallest rectangle about a chart, over a quarter turn.
 constexpr int turns = 16;
 /// The grid on which a chart is looked at for overlaps: cells per triangle, and the most cells.
-constexpr double cellsPerTriangle = 32.0;
+constexpr double cellsPerTriangle = 64.0;
 constexpr double mostCells = 1048576.0;
 
 constexpr std::uint32_t none = ~0U;

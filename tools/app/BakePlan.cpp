@@ -13,7 +13,7 @@ namespace {
 
 /// Texels between charts of our own: bilinear filters over a few mipmap levels keep apart. Fewer
 /// where so many charts leave no room.
-constexpr int kChartGaps[] = {6, 3, 1};
+constexpr int kChartGaps[] = {8, 4, 2, 1};
 
 class Planner {
 public:

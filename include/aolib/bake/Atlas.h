@@ -30,7 +30,9 @@ struct Atlas {
 /// of the cone that a chart's normals fill; a chart that still covers itself is cut into single
 /// triangles.
 /// @param width,height  of the map, texels.
-/// @param gap           between charts, texels.
+/// @param gap           between charts, texels. Each chart keeps half of it to every side, and has
+/// the squares of its edge (of the next power of two below it) for itself: so many texels of a
+/// filled map average to one in a mipmap before charts mix.
 /// Errors: InvalidOption (so many charts that none would get a texel), OutOfMemory. Since 0.1.
 AOLIB_BAKE_EXPORT Result<Atlas> makeAtlas(const std::vector<const Surface*>& surfaces, int width,
                                           int height, int gap);

@@ -1,7 +1,12 @@
 #include <aolib/bake/Atlas.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <map>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -93,6 +98,57 @@ TEST_P(AtlasTest, ChartsKeepTheirDistance) {
         EXPECT_LE(uv.x * 256.0F, 254.0F);
         EXPECT_GE(uv.y * 256.0F, 2.0F);
         EXPECT_LE(uv.y * 256.0F, 254.0F);
+    }
+}
+
+/// Per vertex a vertex of its chart, the same for all: no place in the map is two charts'.
+std::vector<std::uint32_t> chartsOf(const Surface& surface) {
+    std::map<std::pair<float, float>, std::uint32_t> places;
+    std::vector<std::uint32_t> chart;
+    for (std::uint32_t i = 0; i < surface.uvs.size(); ++i) {
+        chart.push_back(places.try_emplace({surface.uvs[i].x, surface.uvs[i].y}, i).first->second);
+    }
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (std::size_t i = 0; i < surface.indices.size(); i += 3) {
+            std::uint32_t least = ~0U;
+            for (std::size_t k = 0; k < 3; ++k) {
+                least = std::min(least, chart[surface.indices[i + k]]);
+            }
+            for (std::size_t k = 0; k < 3; ++k) {
+                const std::uint32_t other = chart[surface.indices[i + k]];
+                changed = changed || other != least;
+                std::replace(chart.begin(), chart.end(), other, least);
+            }
+        }
+    }
+    return chart;
+}
+
+TEST_P(AtlasTest, ATexelOfAMipmapAsWideAsTheGapHasOneChart) {
+    constexpr int size = 512;
+    constexpr int block = 4; // the gap
+    Atlas atlas;
+    const Surface surface = unwrappedOf(mesh(), atlas, size);
+    const std::vector<std::uint32_t> charts = chartsOf(surface);
+    std::map<std::uint32_t, std::pair<glm::vec2, glm::vec2>> boxes;
+    for (std::size_t i = 0; i < charts.size(); ++i) {
+        const glm::vec2 place = surface.uvs[i] * float(size);
+        const auto [found, fresh] = boxes.try_emplace(charts[i], place, place);
+        found->second = {glm::min(found->second.first, place),
+                         glm::max(found->second.second, place)};
+    }
+    std::map<std::pair<int, int>, std::uint32_t> owners;
+    for (const auto& [chart, box] : boxes) {
+        // What bilinear filtering of that mipmap reads.
+        const glm::ivec2 low(glm::floor((box.first - 0.499F * block) / float(block)));
+        const glm::ivec2 high(glm::floor((box.second + 0.499F * block) / float(block)));
+        for (int y = low.y; y <= high.y; ++y) {
+            for (int x = low.x; x <= high.x; ++x) {
+                const auto [owner, fresh] = owners.try_emplace({x, y}, chart);
+                ASSERT_EQ(owner->second, chart) << x << ' ' << y;
+            }
+        }
     }
 }
 

@@ -69,6 +69,30 @@ glm::vec3 onBumpySphere(const glm::vec2& uv) {
     return d * (1.0F + bump(d));
 }
 
+struct BoxShape {
+    glm::vec3 low;
+    glm::vec3 high;
+    int cells; ///< along a side
+    bool inwards;
+};
+
+/// One of the six sides: two for each axis, the lower one first.
+void addBoxSide(UvMesh& mesh, const BoxShape& box, int side, const UvRect& rect) {
+    const int axis = side / 2;
+    const bool upper = side % 2 == 1;
+    const glm::vec3 size = box.high - box.low;
+    glm::vec3 across(0.0F);
+    glm::vec3 along(0.0F);
+    across[(axis + 1) % 3] = size[(axis + 1) % 3];
+    along[(axis + 2) % 3] = size[(axis + 2) % 3];
+    glm::vec3 corner = box.low;
+    corner[axis] = upper ? box.high[axis] : box.low[axis];
+    if (upper == box.inwards) {
+        std::swap(across, along);
+    }
+    addUvQuad(mesh, corner, across, along, box.cells, rect);
+}
+
 } // namespace
 
 void addUvQuad(UvMesh& mesh, const glm::vec3& corner, const glm::vec3& across,
@@ -90,27 +114,30 @@ void addUvSphere(UvMesh& mesh, const glm::vec3& centre, float radius, int segmen
 void addUvBox(UvMesh& mesh, const glm::vec3& low, const glm::vec3& high, int cells,
               const UvRect& rect, bool inwards, bool lid) {
     constexpr float gap = 0.06F; // of a chart's own place
-    const glm::vec3 size = high - low;
+    const glm::vec2 cell = (rect.high - rect.low) / glm::vec2(3.0F, 2.0F);
     for (int side = 0; side < 6; ++side) {
         const int axis = side / 2;
-        const bool upper = side % 2 == 1;
-        if (!lid && axis == 1 && upper) {
+        if (!lid && axis == 1 && side % 2 == 1) {
             continue;
         }
-        glm::vec3 across(0.0F);
-        glm::vec3 along(0.0F);
-        across[(axis + 1) % 3] = size[(axis + 1) % 3];
-        along[(axis + 2) % 3] = size[(axis + 2) % 3];
-        glm::vec3 corner = low;
-        corner[axis] = upper ? high[axis] : low[axis];
-        if (upper == inwards) {
-            std::swap(across, along);
-        }
-        const glm::vec2 cell = (rect.high - rect.low) / glm::vec2(3.0F, 2.0F);
         const glm::vec2 origin = rect.low + cell * glm::vec2(axis, side % 2);
-        addUvQuad(mesh, corner, across, along, cells,
-                  {origin + gap * cell, origin + (1.0F - gap) * cell});
+        addBoxSide(mesh, {low, high, cells, inwards}, side,
+                   {origin + gap * cell, origin + (1.0F - gap) * cell});
     }
+}
+
+/// A box whose sides lie so far apart in the map that they stay apart in its mipmaps: in places of
+/// powers of two, so that a mipmap's texel is one side's until a side is a few of them wide.
+UvMesh mipmapBox() {
+    const glm::vec2 cell(0.25F, 0.5F);
+    const glm::vec2 gap(0.0575F, 0.055F); // of the map, to every side
+    UvMesh mesh;
+    for (int side = 0; side < 6; ++side) {
+        const glm::vec2 origin = cell * glm::vec2(side / 2, side % 2);
+        addBoxSide(mesh, {glm::vec3(-1.0F), glm::vec3(1.0F), 4, false}, side,
+                   {origin + gap, origin + cell - gap});
+    }
+    return mesh;
 }
 
 UvMesh bumpySphere(int triangles) {
@@ -145,7 +172,7 @@ UvMesh uvShape(std::string_view name) {
     if (name == "uv-sphere") {
         addUvSphere(mesh, glm::vec3(0.0F), 1.0F, 64, 32, {{0.01F, 0.01F}, {0.99F, 0.99F}});
     } else if (name == "uv-box") {
-        addUvBox(mesh, glm::vec3(-1.0F), glm::vec3(1.0F), 4);
+        mesh = mipmapBox();
     } else if (name == "uv-shapes") {
         addUvSphere(mesh, {0.0F, -0.35F, 0.0F}, 0.6F, 64, 32, {{0.01F, 0.51F}, {0.99F, 0.99F}});
         // Walls with a thickness: all of it is closed.

@@ -1,5 +1,6 @@
 #include "bake/BakeVertices.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -16,6 +17,8 @@
 namespace aolib::bake {
 
 namespace {
+
+constexpr GLsizei indicesAtOnce = 3 * 8192;
 
 struct Vertex {
     glm::vec3 position;
@@ -126,6 +129,16 @@ Result<BakeVertices> BakeVertices::create(const gl::Functions& gl, const BakeGeo
 void BakeVertices::draw() const {
     gl_->BindVertexArray(name_.name());
     gl_->DrawElements(GL_TRIANGLES, indexCount_, GL_UNSIGNED_INT, nullptr);
+}
+
+void BakeVertices::drawNumbered(gl::GLSLShader& shader) const {
+    gl_->BindVertexArray(name_.name());
+    for (GLsizei first = 0; first < indexCount_; first += indicesAtOnce) {
+        shader.set("uFirst", first / 3 + 1);
+        gl_->DrawElements(
+            GL_TRIANGLES, std::min(indicesAtOnce, indexCount_ - first), GL_UNSIGNED_INT,
+            reinterpret_cast<const void*>(static_cast<std::size_t>(first) * sizeof(std::uint32_t)));
+    }
 }
 
 } // namespace aolib::bake

@@ -5,6 +5,7 @@
 #include "bake/BakeGeometry.h"
 #include "bake/LightView.h"
 #include "gl/Buffer.h"
+#include "gl/GLSLShader.h"
 
 namespace aolib::bake {
 
@@ -24,6 +25,10 @@ public:
                                        const Facets* facets);
 
     void draw() const;
+    /// The same for a program that is bound and has a uniform `uFirst`: the number of the first
+    /// triangle of a draw call, from 1. In pieces: a software rasteriser asks for memory for all
+    /// vertices of a call, and gives it back.
+    void drawNumbered(gl::GLSLShader& shader) const;
 
 private:
     const gl::Functions* gl_ = nullptr;

@@ -9,6 +9,7 @@
 
 #include "raytracing/CosineSampling.h"
 #include "raytracing/EmbreeApi.h"
+#include "shared/open_sector.h"
 
 namespace aolib::bake {
 
@@ -151,7 +152,13 @@ void HemisphereTracer::traceChunk(std::span<const Start> starts, int count, bool
     const auto add = [&](std::size_t lane, std::size_t receiver, std::size_t slot) {
         const float open = weight_[slot] * (1.0F - packet.blocked[lane]);
         results[receiver].visibility += open;
-        results[receiver].direction += open * glm::vec3(x_[slot], y_[slot], z_[slot]);
+        const glm::vec3 direction(x_[slot], y_[slot], z_[slot]);
+        results[receiver].direction += open * direction;
+        if (options_.sectors) {
+            const auto sector = static_cast<std::size_t>(shared::sectorOf(direction));
+            results[receiver].open[sector] += open;
+            results[receiver].all[sector] += weight_[slot];
+        }
     };
     const auto cells = static_cast<std::size_t>(count);
     if (alike) {

@@ -9,6 +9,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
+#include <aolib/bake/AbstractBaker.h>
 #include <aolib/bake/BakeOptions.h>
 
 #include "bake/BakeGeometry.h"
@@ -28,6 +29,8 @@ struct Receiver {
 struct Openness {
     float visibility = 0.0F;   ///< sum over open rays, by the measure; 1 per ray where all are
     glm::vec3 direction{0.0F}; ///< sum over open rays, weighed alike; any length
+    OpenSectors open{};        ///< sums over open rays, weighed alike; where asked for
+    OpenSectors all{};         ///< over all rays
 };
 
 /// Traces the hemispheres of up to 16 receivers in packets of 16 rays: rays of all receivers

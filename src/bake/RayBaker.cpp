@@ -24,6 +24,15 @@ static_assert(tileSide * tileSide == int{HemisphereTracer::capacity});
 /// Kinds of receivers draw their rays from sequences of their own.
 constexpr int vertexKind = 8191;
 
+/// The open share of each sector, W where no ray went.
+OpenSectors sharesOf(const Openness& openness, float visibility) {
+    OpenSectors shares{};
+    for (std::size_t k = 0; k < shares.size(); ++k) {
+        shares[k] = openness.all[k] > 0.0F ? openness.open[k] / openness.all[k] : visibility;
+    }
+    return shares;
+}
+
 glm::vec3 unitOr(const glm::vec3& v, const glm::dvec3& fallback) {
     const float length = glm::length(v);
     return length > 0.0F ? v / length : glm::vec3(fallback);
@@ -122,9 +131,13 @@ Result<std::vector<BakedMap>> RayBaker::bakeMaps(const MapOptions& options,
 }
 
 Result<std::vector<glm::vec4>> RayBaker::tracePoints(const std::vector<SurfacePoint>& points,
+                                                     std::vector<OpenSectors>* sectors,
                                                      const BakeProgress& progress) const {
     constexpr std::size_t size = HemisphereTracer::capacity;
     std::vector<glm::vec4> values(points.size());
+    if (sectors != nullptr) {
+        sectors->resize(points.size());
+    }
     const auto fill = [&](std::size_t group, Receiver* receivers) {
         const std::size_t end = std::min(points.size(), (group + 1) * size);
         for (std::size_t i = group * size; i < end; ++i) {
@@ -134,8 +147,11 @@ Result<std::vector<glm::vec4>> RayBaker::tracePoints(const std::vector<SurfacePo
         return end - group * size;
     };
     const auto take = [&](const Receiver& receiver, const Openness& openness) {
-        values[receiver.place] = {openness.visibility / float(options_.rays),
-                                  unitOr(openness.direction, receiver.point.normal)};
+        const float visibility = openness.visibility / float(options_.rays);
+        values[receiver.place] = {visibility, unitOr(openness.direction, receiver.point.normal)};
+        if (sectors != nullptr) {
+            (*sectors)[receiver.place] = sharesOf(openness, visibility);
+        }
     };
     if (!traceGroups((points.size() + size - 1) / size, {0, options_.rays}, fill, take, progress)) {
         return cancelledBake();
@@ -155,14 +171,15 @@ Result<std::vector<glm::vec4>> RayBaker::traceSamples(const std::vector<SurfaceS
         point.normal = faceted ? point.plane : point.normal;
         points.push_back(point);
     }
-    return tracePoints(points, progress);
+    return tracePoints(points, nullptr, progress);
 }
 
 Result<std::vector<glm::vec4>> RayBaker::weldedValues(const VertexWeld& weld,
                                                       const VertexOptions& options,
+                                                      std::vector<OpenSectors>* sectors,
                                                       const BakeProgress& progress) const {
     if (options.fit == VertexFit::Direct) {
-        return tracePoints(weld.points, progress);
+        return tracePoints(weld.points, sectors, progress);
     }
     const bool mean = options.fit == VertexFit::TriangleMean;
     const std::vector<SurfaceSample> samples =
@@ -180,12 +197,18 @@ Result<std::vector<BakedVertices>> RayBaker::bakeVertices(const VertexOptions& o
     if (Status status = check(options); !status) {
         return status;
     }
+    if (options_.sectors && options.fit != VertexFit::Direct) {
+        return Status(StatusCode::MissingCapability,
+                      "sectors are traced at the vertices alone: VertexFit::Direct");
+    }
     const VertexWeld weld = weldVertices(geometry_);
-    const Result<std::vector<glm::vec4>> values = weldedValues(weld, options, progress);
+    std::vector<OpenSectors> sectors;
+    const Result<std::vector<glm::vec4>> values =
+        weldedValues(weld, options, options_.sectors ? &sectors : nullptr, progress);
     if (!values) {
         return values.status();
     }
-    return unweldedVertices(geometry_, weld, *values);
+    return unweldedVertices(geometry_, weld, *values, sectors);
 } catch (const std::bad_alloc&) {
     return Status(StatusCode::OutOfMemory, "no memory left for the values of vertices");
 }

@@ -38,12 +38,15 @@ private:
     Status bakeMap(TexelReceivers& receivers, int number, BakedMap& map,
                    const BakeProgress& progress) const;
     /// W and direction of each point.
+    /// @param sectors  null where nobody asks for them.
     Result<std::vector<glm::vec4>> tracePoints(const std::vector<SurfacePoint>& points,
+                                               std::vector<OpenSectors>* sectors,
                                                const BakeProgress& progress) const;
     Result<std::vector<glm::vec4>> traceSamples(const std::vector<SurfaceSample>& samples,
                                                 bool faceted, const BakeProgress& progress) const;
     Result<std::vector<glm::vec4>> weldedValues(const VertexWeld& weld,
                                                 const VertexOptions& options,
+                                                std::vector<OpenSectors>* sectors,
                                                 const BakeProgress& progress) const;
     SequenceSeed seedOf(int kind, std::size_t a, std::size_t b) const;
 

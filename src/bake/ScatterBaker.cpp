@@ -10,10 +10,13 @@
 #include <glm/geometric.hpp>
 
 #include "bake/BakeVertices.h"
+#include "bake/ChartCoverage.h"
 #include "bake/CheckOptions.h"
 #include "bake/Facets.h"
 #include "bake/MapFill.h"
 #include "bake/MapLoop.h"
+#include "bake/PointTarget.h"
+#include "bake/PointWeights.h"
 #include "bake/SurfaceSamples.h"
 #include "bake/TexelDensity.h"
 #include "gl/StateGuard.h"
@@ -24,9 +27,8 @@ namespace {
 
 /// Directions between two calls of the progress callback.
 constexpr int directionsAtOnce = 4;
-/// Places per texel from which coverage is summed: a quarter of the directions, within these.
-constexpr int fewestPlaces = 16;
-constexpr int mostPlaces = 256;
+/// Places per texel from which coverage is summed.
+constexpr int coveragePlaces = 128;
 /// Stage 1's picture, when its size is derived: pixels along a texel that faces the light, where
 /// charts are laid out more finely than in this share of the maps, along the direction in which
 /// they are stretched most. Where texels are smaller yet, points are larger than they. Of fewer
@@ -36,11 +38,57 @@ constexpr double finelyShown = 0.9;
 constexpr int leastRaster = 128;
 constexpr int largestRaster = 4096;
 
+/// Whether points are drawn, or else added up here: a software rasteriser sets up and blends each
+/// by itself, which takes ten times as long as reading its picture.
+bool drawsPoints(PointSum sum, bool software) {
+    return sum == PointSum::Blending || (sum == PointSum::Auto && !software);
+}
+
+/// Stage 2 on the processor.
+class PictureAdder {
+public:
+    PictureAdder(std::span<const PointShape> shapes, const PointWeights& weights,
+                 const MapStack& stack, const PointTarget& target)
+        : shapes_(shapes), weights_(weights), stack_(stack), target_(target) {}
+
+    /// Adds what a direction lights.
+    /// @param picture  u, v, number of the triangle from 1, 0 for none.
+    void add(const std::vector<glm::vec4>& picture, const LightView& view,
+             std::vector<glm::vec4>& light) const {
+        const glm::vec4 unit(glm::vec3(view.direction), 1.0F);
+        const glm::vec2 size(stack_.mapSize);
+        for (const glm::vec4& pixel : picture) {
+            if (pixel.z == 0.0F) {
+                continue;
+            }
+            const auto triangle = static_cast<std::size_t>(pixel.z) - 1;
+            const PointShape& shape = shapes_[triangle];
+            const int row = shape.map - stack_.first;
+            if (shape.facet == 0.0F || row < 0 || row >= stack_.count) {
+                continue;
+            }
+            const float weight = weights_.of(triangle, glm::vec2(pixel), view);
+            if (weight > 0.0F) {
+                const glm::vec2 place = glm::vec2(pixel) * size + glm::vec2(0.0F, float(row) * size.y);
+                target_.scatter(place, shape, [&](std::size_t texel, float share) {
+                    light[texel] += unit * (share * weight);
+                });
+            }
+        }
+    }
+
+private:
+    std::span<const PointShape> shapes_;
+    const PointWeights& weights_;
+    const MapStack& stack_;
+    const PointTarget& target_;
+};
+
 } // namespace
 
 struct ScatterBaker::Sums {
     std::vector<glm::vec4> light;
-    std::vector<glm::vec4> coverage;
+    std::vector<float> coverage;
 };
 
 int ScatterBaker::rasterSize(const glm::ivec2& mapSize) const {
@@ -74,32 +122,24 @@ Result<ScatterPasses> ScatterBaker::passesFor(const ScatterPasses::Settings& set
     return ScatterPasses::create(*gpu_.gl, settings, facets);
 }
 
-Status ScatterBaker::addCoverage(ScatterPasses& passes, const BakeVertices& vertices, int places,
-                                 const BakeProgress& progress) const {
-    for (int first = 0; first < places; first += directionsAtOnce) {
-        if (!progress(double(first) / double(places))) {
-            return cancelledBake();
-        }
-        const gl::StateGuard guard(*gpu_.gl);
-        passes.addCoverage(vertices, first, std::min(first + directionsAtOnce, places), places);
-        gpu_.gl->Finish();
-    }
-    return {};
-}
-
 Result<ScatterBaker::Sums> ScatterBaker::sumStack(const ScatterPasses::Settings& settings,
                                                   const BakeVertices& vertices,
+                                                  std::span<const PointShape> shapes,
                                                   const std::vector<float>& facets,
                                                   const BakeProgress& progress) const {
     Result<ScatterPasses> passes = passesFor(settings, facets);
     if (!passes) {
         return passes.status();
     }
-    const int places = std::clamp(options_.directions / 4, fewestPlaces, mostPlaces);
-    const double all = double(places) + double(options_.directions);
-    const auto before = [&](double share) { return progress(share * places / all); };
-    if (Status status = addCoverage(*passes, vertices, places, before); !status) {
-        return status;
+    const MapStack& stack = settings.stack;
+    const PointTarget target{{stack.mapSize.x, stack.mapSize.y * stack.count}, facets};
+    Sums sums;
+    sums.coverage = chartCoverage(gpu_.geometry, shapes, stack, target, coveragePlaces);
+    sums.light.resize(settings.draws ? 0 : facets.size());
+    std::optional<PointWeights> weights;
+    if (!settings.draws) {
+        weights.emplace(gpu_.geometry, gpu_.frame,
+                        PointWeights::Settings{stack.mapSize, settings.density, settings.ground});
     }
     DirectionPlan plan;
     plan.last = options_.directions;
@@ -109,17 +149,23 @@ Result<ScatterBaker::Sums> ScatterBaker::sumStack(const ScatterPasses::Settings&
     plan.seed = options_.seed;
     const auto add = [&](std::span<const LightView> views) {
         for (const LightView& view : views) {
-            passes->addDirection(vertices, view);
+            passes->drawSurface(vertices, view);
+            if (settings.draws) {
+                passes->scatter(view);
+            } else {
+                PictureAdder(shapes, *weights, stack, target)
+                    .add(passes->readSurface(), view, sums.light);
+            }
         }
     };
-    const auto after = [&](double share) {
-        return progress((places + share * options_.directions) / all);
-    };
-    if (Status status = gpu_.addDirections(plan, after, add); !status) {
+    if (Status status = gpu_.addDirections(plan, progress, add); !status) {
         return status;
     }
-    const gl::StateGuard guard(*gpu_.gl);
-    return Sums{passes->sums(), passes->coverage()};
+    if (settings.draws) {
+        const gl::StateGuard guard(*gpu_.gl);
+        sums.light = passes->sums();
+    }
+    return sums;
 }
 
 BakedMap ScatterBaker::mapOf(const TexelRaster& raster, const TexelSums& own,
@@ -179,7 +225,13 @@ Result<std::vector<BakedMap>> ScatterBaker::bakeMaps(const MapOptions& options,
     settings.pointSize = options_.pointSize;
     settings.density = options_.stretchCorrection ? 0.0F : density(rasters);
     settings.ground = gpu_.ground();
+    settings.draws = drawsPoints(options_.sum, gpu_.gl->capabilities.software);
     const Facets facets(gpu_.geometry.scene());
+    const std::vector<PointShape> shapes =
+        pointShapes(gpu_.geometry, gpu_.frame, facets,
+                    {{options.width, options.height},
+                     ScatterPasses::pictureSide / float(settings.rasterSize),
+                     options_.pointSize});
     const Result<BakeVertices> vertices = gpu_.upload(options.width, options.height, &facets);
     if (!vertices) {
         return vertices.status();
@@ -196,7 +248,7 @@ Result<std::vector<BakedMap>> ScatterBaker::bakeMaps(const MapOptions& options,
                 gpu_.geometry.scene(), rasters[static_cast<std::size_t>(first + i)]);
             owners.insert(owners.end(), more.begin(), more.end());
         }
-        const Result<Sums> sums = sumStack(settings, *vertices, owners, share);
+        const Result<Sums> sums = sumStack(settings, *vertices, shapes, owners, share);
         if (!sums) {
             return sums.status();
         }

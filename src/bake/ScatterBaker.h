@@ -1,10 +1,12 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include <aolib/bake/AbstractBaker.h>
 
 #include "bake/GpuBake.h"
+#include "bake/PointShape.h"
 #include "bake/ScatterPasses.h"
 #include "bake/TexelRaster.h"
 #include "bake/ThinTexels.h"
@@ -29,10 +31,9 @@ private:
     float density(const std::vector<TexelRaster>& rasters) const;
     Result<ScatterPasses> passesFor(const ScatterPasses::Settings& settings,
                                     const std::vector<float>& facets) const;
-    Status addCoverage(ScatterPasses& passes, const BakeVertices& vertices, int places,
-                       const BakeProgress& progress) const;
     Result<Sums> sumStack(const ScatterPasses::Settings& settings, const BakeVertices& vertices,
-                          const std::vector<float>& facets, const BakeProgress& progress) const;
+                          std::span<const PointShape> shapes, const std::vector<float>& facets,
+                          const BakeProgress& progress) const;
     BakedMap mapOf(const TexelRaster& raster, const TexelSums& own,
                    const MapOptions& options) const;
 

@@ -8,7 +8,6 @@
 
 #include "bake/BakeShaders.h"
 #include "gl/Label.h"
-#include "raytracing/SobolSequence.h"
 
 namespace aolib::bake {
 
@@ -68,11 +67,6 @@ Result<ScatterPasses> ScatterPasses::create(const gl::Functions& gl, const Setti
             place = std::move(*result);
         }
     };
-    keep(passes.surfaceShader_,
-         buildBakeShader(gl, "bake/scatter_surface.vert", "bake/scatter_surface.frag"));
-    keep(passes.chartShader_, buildBakeShader(gl, "bake/chart.vert", "bake/chart.frag"));
-    keep(passes.pointShader_,
-         buildBakeShader(gl, "bake/scatter_point.vert", "bake/scatter_point.frag"));
     const auto target = [&](const glm::ivec2& size, std::vector<Format> formats, Depth depth,
                             const char* label) {
         gl::RenderToTexture2D::Settings wanted;
@@ -83,12 +77,23 @@ Result<ScatterPasses> ScatterPasses::create(const gl::Functions& gl, const Setti
         wanted.label = label;
         return gl::RenderToTexture2D::create(gl, wanted);
     };
+    const glm::ivec2 raster(settings.rasterSize);
+    if (!settings.draws) {
+        keep(passes.surfaceShader_,
+             buildBakeShader(gl, "bake/scatter_triangle.vert", "bake/scatter_triangle.frag"));
+        keep(passes.surface_,
+             target(raster, {Format::RGBA32F}, Depth::Depth32F, "aolib/bake/surface"));
+        return status ? Result<ScatterPasses>(std::move(passes)) : status;
+    }
+    keep(passes.surfaceShader_,
+         buildBakeShader(gl, "bake/scatter_surface.vert", "bake/scatter_surface.frag"));
+    keep(passes.pointShader_,
+         buildBakeShader(gl, "bake/scatter_point.vert", "bake/scatter_point.frag"));
     const MapStack& stack = settings.stack;
     const glm::ivec2 size(stack.mapSize.x, stack.mapSize.y * stack.count);
-    keep(passes.surface_, target(glm::ivec2(settings.rasterSize), {Format::RGBA32F, Format::RG16F},
-                                 Depth::Depth32F, "aolib/bake/surface"));
+    keep(passes.surface_,
+         target(raster, {Format::RGBA32F, Format::RG16F}, Depth::Depth32F, "aolib/bake/surface"));
     keep(passes.sums_, target(size, {Format::RGBA32F}, Depth::None, "aolib/bake/sums"));
-    keep(passes.coverage_, target(size, {Format::RGBA32F}, Depth::None, "aolib/bake/coverage"));
     keep(passes.facets_,
          gl::TextureStack::create(gl, {size.x, size.y, 1, Format::R32F, "aolib/bake/facets"}));
     keep(passes.points_, gl::VertexArray::createEmpty(gl, "aolib/bake/points"));
@@ -96,105 +101,83 @@ Result<ScatterPasses> ScatterPasses::create(const gl::Functions& gl, const Setti
         return status;
     }
     passes.facets_.upload(0, {0, 0}, size, facets.data());
-    passes.clear(passes.sums_);
-    passes.clear(passes.coverage_);
-    return passes;
-}
-
-void ScatterPasses::clear(const gl::RenderToTexture2D& target) const {
-    target.begin(0);
+    passes.sums_.begin(0);
     const glm::vec4 nothing(0.0F);
-    gl_->ClearBufferfv(GL_COLOR, 0, glm::value_ptr(nothing));
+    gl.ClearBufferfv(GL_COLOR, 0, glm::value_ptr(nothing));
+    return passes;
 }
 
 void ScatterPasses::clearSurface() const {
     surface_.beginAll();
     const glm::vec4 nothing(0.0F);
     gl_->ClearBufferfv(GL_COLOR, 0, glm::value_ptr(nothing));
-    gl_->ClearBufferfv(GL_COLOR, 1, glm::value_ptr(nothing));
-}
-
-void ScatterPasses::setStack(gl::GLSLShader& shader) const {
-    shader.set("uMapSize", glm::vec2(settings_.stack.mapSize));
-    shader.set("uFirstMap", settings_.stack.first);
-    shader.set("uMapCount", settings_.stack.count);
-    shader.set("uPixelSize", pictureSide / float(settings_.rasterSize));
-}
-
-// Places are Sobol's, whose projections onto both axes are evenly spaced. So a texel that is
-// covered as a whole has an exact sum, and one that a border along an axis cuts is off by less than
-// 1 / count.
-void ScatterPasses::addCoverage(const BakeVertices& vertices, int first, int last, int count) {
-    const gl::DebugGroup group(*gl_, "aolib/bake/coverage");
-    const int tile =
-        std::min(settings_.rasterSize, std::max(coverage_.width(), coverage_.height()));
-    for (auto i = static_cast<std::uint32_t>(first); i < static_cast<std::uint32_t>(last); ++i) {
-        const glm::vec2 place = glm::vec2(bitReversed(i), bitReversed(sobolSecond(i))) * 0x1p-32F;
-        for (int y = 0; y < coverage_.height(); y += tile) {
-            for (int x = 0; x < coverage_.width(); x += tile) {
-                clearSurface();
-                gl_->Viewport(0, 0, tile, tile);
-                chartShader_.bind();
-                setStack(chartShader_);
-                // A pixel's centre is to lie at `place` in its texel.
-                chartShader_.set("uTileOrigin", glm::vec2(x, y) + place - 0.5F);
-                chartShader_.set("uTileSize", float(tile));
-                chartShader_.set("uSampleArea", 1.0F / float(count));
-                vertices.draw();
-                scatter(coverage_, glm::vec3(0.0F),
-                        {tile, std::min(tile, coverage_.height() - y + 1)});
-            }
-        }
+    if (settings_.draws) {
+        gl_->ClearBufferfv(GL_COLOR, 1, glm::value_ptr(nothing));
     }
-}
-
-void ScatterPasses::addDirection(const BakeVertices& vertices, const LightView& view) {
-    const gl::DebugGroup group(*gl_, "aolib/bake/direction");
-    clearSurface();
     const float farthest = 1.0F;
     gl_->ClearBufferfv(GL_DEPTH, 0, &farthest);
+}
+
+void ScatterPasses::drawSurface(const BakeVertices& vertices, const LightView& view) {
+    const gl::DebugGroup group(*gl_, "aolib/bake/direction");
+    clearSurface();
     gl_->Enable(GL_DEPTH_TEST);
     surfaceShader_.bind();
-    setStack(surfaceShader_);
     surfaceShader_.set("uToLight", view.toClip);
+    if (!settings_.draws) {
+        vertices.drawNumbered(surfaceShader_);
+        gl_->Disable(GL_DEPTH_TEST);
+        return;
+    }
+    surfaceShader_.set("uMapSize", glm::vec2(settings_.stack.mapSize));
+    surfaceShader_.set("uFirstMap", settings_.stack.first);
+    surfaceShader_.set("uMapCount", settings_.stack.count);
+    surfaceShader_.set("uPixelSize", pictureSide / float(settings_.rasterSize));
     surfaceShader_.set("uDirection", glm::vec3(view.direction));
     surfaceShader_.set("uGround", settings_.ground);
     surfaceShader_.set("uDensity", settings_.density);
     vertices.draw();
     gl_->Disable(GL_DEPTH_TEST);
-    scatter(sums_, glm::vec3(view.direction), glm::ivec2(settings_.rasterSize));
 }
 
-/// Stage 2: adds what lies in the lower left of the picture of stage 1 to a target.
-void ScatterPasses::scatter(const gl::RenderToTexture2D& target, const glm::vec3& direction,
-                            const glm::ivec2& size) {
+void ScatterPasses::scatter(const LightView& view) {
+    const gl::DebugGroup group(*gl_, "aolib/bake/points");
     const ShaderPoints points(*gl_);
-    target.begin(0);
+    sums_.begin(0);
     surface_.bindTexture(0, 0);
     surface_.bindTexture(1, 1);
     pointShader_.bind();
     pointShader_.set("uSize", 1);
     pointShader_.set("uSurface", 0);
-    pointShader_.set("uTargetSize", glm::vec2(target.width(), target.height()));
+    pointShader_.set("uTargetSize", glm::vec2(sums_.width(), sums_.height()));
     facets_.bind(2);
     pointShader_.set("uFacets", 2);
     pointShader_.set("uPointSize", settings_.pointSize);
-    pointShader_.set("uDirection", direction);
+    pointShader_.set("uDirection", glm::vec3(view.direction));
     gl_->Enablei(GL_BLEND, 0);
     gl_->BlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
-    pointShader_.set("uWidth", size.x);
-    const int count = size.x * size.y;
+    pointShader_.set("uWidth", settings_.rasterSize);
+    const int count = settings_.rasterSize * settings_.rasterSize;
     for (int first = 0; first < count; first += pointsAtOnce) {
         points_.drawGenerated(GL_POINTS, std::min(pointsAtOnce, count - first), first);
     }
     gl_->Disablei(GL_BLEND, 0);
 }
 
-std::vector<glm::vec4> ScatterPasses::read(const gl::RenderToTexture2D& target) const {
-    std::vector<glm::vec4> texels(static_cast<std::size_t>(target.width()) *
-                                  static_cast<std::size_t>(target.height()));
-    target.beginRead(0);
-    gl_->ReadPixels(0, 0, target.width(), target.height(), GL_RGBA, GL_FLOAT, texels.data());
+const std::vector<glm::vec4>& ScatterPasses::readSurface() {
+    picture_.resize(static_cast<std::size_t>(settings_.rasterSize) *
+                    static_cast<std::size_t>(settings_.rasterSize));
+    surface_.beginRead(0);
+    gl_->ReadPixels(0, 0, settings_.rasterSize, settings_.rasterSize, GL_RGBA, GL_FLOAT,
+                    picture_.data());
+    return picture_;
+}
+
+std::vector<glm::vec4> ScatterPasses::sums() const {
+    std::vector<glm::vec4> texels(static_cast<std::size_t>(sums_.width()) *
+                                  static_cast<std::size_t>(sums_.height()));
+    sums_.beginRead(0);
+    gl_->ReadPixels(0, 0, sums_.width(), sums_.height(), GL_RGBA, GL_FLOAT, texels.data());
     return texels;
 }
 

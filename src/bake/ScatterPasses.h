@@ -10,19 +10,13 @@
 
 #include "bake/BakeVertices.h"
 #include "bake/LightView.h"
+#include "bake/MapStack.h"
 #include "gl/GLSLShader.h"
 #include "gl/RenderToTexture2D.h"
 #include "gl/TextureStack.h"
 #include "gl/VertexArray.h"
 
 namespace aolib::bake {
-
-/// The maps that one target holds, one above the other.
-struct MapStack {
-    glm::ivec2 mapSize{0}; ///< texels
-    int first = 0;         ///< number of the lowest
-    int count = 0;
-};
 
 /// The GL side of scattering: stages 1 and 2 (McGraw and Sowers 2008, section 3). Needs a clean
 /// slate of GL state in each call.
@@ -34,6 +28,7 @@ public:
         float pointSize = 0.0F; ///< texels
         float density = 0.0F;   ///< square texels per square frame unit; 0: by the Jacobian
         glm::vec4 ground{0.0F}; ///< up and height in the frame; up 0 for none
+        bool draws = true;      ///< points are drawn and blended; else they are only told
     };
 
     /// A picture's side, frame units: it just holds the scene, whose bounding sphere's diameter is
@@ -46,35 +41,30 @@ public:
     static Result<ScatterPasses> create(const gl::Functions& gl, const Settings& settings,
                                         const std::vector<float>& facets);
 
-    /// Sums what of each texel charts cover, spread as points are: adds places `first` to `last` -
-    /// 1 of `count` in each texel.
-    void addCoverage(const BakeVertices& vertices, int first, int last, int count);
-    /// Sums the light of one direction.
-    void addDirection(const BakeVertices& vertices, const LightView& view);
+    /// Stage 1: what one direction lights.
+    void drawSurface(const BakeVertices& vertices, const LightView& view);
+    /// Stage 2, where points are drawn: adds it to the sums.
+    void scatter(const LightView& view);
+    /// Stage 1's picture: u, v, number of the triangle from 1, 0 for none. Where points are not
+    /// drawn.
+    const std::vector<glm::vec4>& readSurface();
 
-    /// Per texel of the stack, from the bottom: weighed direction and weight.
-    std::vector<glm::vec4> sums() const { return read(sums_); }
-    /// Per texel of the stack: the covered share in the last component.
-    std::vector<glm::vec4> coverage() const { return read(coverage_); }
+    /// Per texel of the stack, from the bottom: weighed direction and weight. Where points are
+    /// drawn.
+    std::vector<glm::vec4> sums() const;
 
 private:
-    void setStack(gl::GLSLShader& shader) const;
-    void clear(const gl::RenderToTexture2D& target) const;
     void clearSurface() const;
-    void scatter(const gl::RenderToTexture2D& target, const glm::vec3& direction,
-                 const glm::ivec2& size);
-    std::vector<glm::vec4> read(const gl::RenderToTexture2D& target) const;
 
     const gl::Functions* gl_ = nullptr;
     Settings settings_;
     gl::GLSLShader surfaceShader_;
-    gl::GLSLShader chartShader_;
     gl::GLSLShader pointShader_;
     gl::RenderToTexture2D surface_;
     gl::RenderToTexture2D sums_;
-    gl::RenderToTexture2D coverage_;
     gl::TextureStack facets_;
     gl::VertexArray points_;
+    std::vector<glm::vec4> picture_;
 };
 
 } // namespace aolib::bake

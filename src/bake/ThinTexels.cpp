@@ -15,7 +15,7 @@ constexpr float least = 1e-3F;
 
 glm::vec4 lightPerCoverage(const TexelSums& sums, std::size_t texel) {
     glm::vec4 light = sums.light[texel];
-    float covered = sums.coverage[texel].w;
+    float covered = sums.coverage[texel];
     if (covered < coveredEnough) {
         const auto width = static_cast<std::size_t>(sums.size.x);
         const int x = static_cast<int>(texel % width);
@@ -28,7 +28,7 @@ glm::vec4 lightPerCoverage(const TexelSums& sums, std::size_t texel) {
                     static_cast<std::size_t>(v) * width + static_cast<std::size_t>(u);
                 if (other != texel && sums.facets[other] == sums.facets[texel]) {
                     lightAbout += sums.light[other];
-                    coveredAbout += sums.coverage[other].w;
+                    coveredAbout += sums.coverage[other];
                 }
             }
         }

@@ -12,9 +12,9 @@ namespace aolib::bake {
 /// Sums of one map's texels, row by row.
 struct TexelSums {
     glm::ivec2 size{0};
-    std::span<const glm::vec4> light;    ///< weighed direction, weight
-    std::span<const glm::vec4> coverage; ///< the share that charts cover last
-    std::span<const float> facets;       ///< 0 where there is none
+    std::span<const glm::vec4> light; ///< weighed direction, weight
+    std::span<const float> coverage;  ///< the share that charts cover
+    std::span<const float> facets;    ///< 0 where there is none
 };
 
 /// Light and coverage of a texel; where charts cover so little of it that a few points decide, as

@@ -108,7 +108,10 @@ VertexWeld weldVertices(const BakeGeometry& geometry) {
 }
 
 std::vector<BakedVertices> unweldedVertices(const BakeGeometry& geometry, const VertexWeld& weld,
-                                            const std::vector<glm::vec4>& values) {
+                                            const std::vector<glm::vec4>& values,
+                                            const std::vector<OpenSectors>& sectors) {
+    OpenSectors open;
+    open.fill(1.0F);
     std::vector<BakedVertices> result;
     for (const std::vector<std::uint32_t>& numbers : weld.number) {
         BakedVertices& vertices = result.emplace_back();
@@ -120,6 +123,9 @@ std::vector<BakedVertices> unweldedVertices(const BakeGeometry& geometry, const 
             const glm::dvec3 normal = used ? weld.points[number].normal : geometry.up();
             vertices.visibility.push_back(std::clamp(value.x, 0.0F, 1.0F));
             vertices.bentNormal.push_back(length > 0.0F ? direction / length : glm::vec3(normal));
+            if (!sectors.empty()) {
+                vertices.sectors.push_back(used ? sectors[number] : open);
+            }
         }
     }
     return result;

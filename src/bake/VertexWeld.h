@@ -29,7 +29,9 @@ VertexWeld weldVertices(const BakeGeometry& geometry);
 /// The surfaces' vertices with the values of their numbers.
 /// @param values  per number: W, clamped to [0,1] here, and a direction of any length; where that
 /// is zero the normal takes its place.
+/// @param sectors  per number, or none.
 std::vector<BakedVertices> unweldedVertices(const BakeGeometry& geometry, const VertexWeld& weld,
-                                            const std::vector<glm::vec4>& values);
+                                            const std::vector<glm::vec4>& values,
+                                            const std::vector<OpenSectors>& sectors = {});
 
 } // namespace aolib::bake

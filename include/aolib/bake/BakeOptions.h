@@ -36,6 +36,13 @@ enum class SeamFix : std::uint8_t {
     Erosion,  ///< they are discarded and filled from within (McGraw and Sowers 2008)
 };
 
+/// Who adds scattered points to a map's texels. Both give the same but for rounding.
+enum class PointSum : std::uint8_t {
+    Auto,      ///< `Processor` where the context is Mesa's software rasteriser, else `Blending`
+    Blending,  ///< points are drawn, and blended (McGraw and Sowers 2008)
+    Processor, ///< the picture from each direction is read back
+};
+
 /// How values of vertices come about.
 enum class VertexFit : std::uint8_t {
     Direct,       ///< at the vertex itself, about its normal
@@ -51,6 +58,8 @@ struct RayOptions {
     Sampling sampling = Sampling::Stratified;
     Measure measure = Measure::Cosine;
     Sky sky = Sky::Sphere;
+    bool sectors = false;   ///< also how open each sector of directions is: of vertices,
+                            ///< `VertexFit::Direct` alone
     int threads = 0;        ///< workers, 0 takes one per core; does not change the result
     std::uint32_t seed = 0; ///< another seed, another noise
 };
@@ -64,6 +73,7 @@ struct ScatterOptions {
     bool stretchCorrection = true; ///< off: charts are taken to be stretched alike everywhere
     Normalisation normalisation = Normalisation::Derived;
     SeamFix seams = SeamFix::Coverage;
+    PointSum sum = PointSum::Auto;
     Sky sky = Sky::Sphere;
     std::uint32_t seed = 0; ///< another seed, another noise
 };

@@ -9,12 +9,12 @@ namespace {
 /// Three texels in a row, W (times coverage) as the light's weight.
 struct Row {
     std::vector<glm::vec4> light;
-    std::vector<glm::vec4> coverage;
+    std::vector<float> coverage;
     std::vector<float> facets;
 
     void add(float w, float covered, float facet) {
         light.emplace_back(0.0F, w * covered, 0.0F, w * covered);
-        coverage.emplace_back(0.0F, 0.0F, 0.0F, covered);
+        coverage.push_back(covered);
         facets.push_back(facet);
     }
     float at(std::size_t texel) const {
@@ -41,7 +41,7 @@ TEST(ThinTexelsTest, ThinOnesAreHelpedByTheirOwnFacetOnly) {
     row.add(1.0F, 1.0F, 1.0F);
     // Of 0.15 that are wanted a tenth is taken from the right, nothing from the left.
     EXPECT_NEAR(row.at(1), 0.1F / 0.15F, 1e-5F);
-    row.coverage[1].w = 0.0F;
+    row.coverage[1] = 0.0F;
     row.light[1] = glm::vec4(0.0F);
     EXPECT_NEAR(row.at(1), 1.0F, 1e-5F) << "where no point fell at all";
 }

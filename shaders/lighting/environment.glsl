@@ -4,14 +4,19 @@
 #include "shared/lat_long.h"
 #include "shared/open_cone.h"
 
+// Where a direction lies in a table whose rows begin and end at the poles.
+vec2 aoTablePlace(vec3 direction, float rows) {
+    vec2 place = latLongPlace(direction);
+    return vec2(place.x, (place.y * (rows - 1.0) + 0.5) / rows);
+}
+
 // The mean radiance in a cone about `axis` that takes `share` of the cosine-weighed hemisphere.
 vec3 aoConeRadiance(sampler2DArray cones, vec3 axis, float share) {
     vec3 size = vec3(textureSize(cones, 0));
     float last = size.z - 1.0;
     float layer = last * coneAperture(share);
     float lower = min(floor(layer), last - 1.0);
-    vec2 place = latLongPlace(axis);
-    place.y = (place.y * (size.y - 1.0) + 0.5) / size.y; // rows begin and end at the poles
+    vec2 place = aoTablePlace(axis, size.y);
     return mix(textureLod(cones, vec3(place, lower), 0.0).rgb,
                textureLod(cones, vec3(place, lower + 1.0), 0.0).rgb, layer - lower);
 }
@@ -21,6 +26,19 @@ vec3 aoConeRadiance(sampler2DArray cones, vec3 axis, float share) {
 vec3 aoConeLight(sampler2DArray cones, vec3 normal, vec3 bentNormal, float visibility) {
     return clamp(visibility, 0.0, 1.0) *
            aoConeRadiance(cones, bentNormal, coneShare(visibility, dot(normal, bentNormal)));
+}
+
+// By how open each of 24 sectors of directions is, four a vector, in their order.
+vec3 aoSectorLight(sampler2DArray sectors, vec3 normal, vec4 open[6]) {
+    vec2 place = aoTablePlace(normal, float(textureSize(sectors, 0).y));
+    vec3 light = vec3(0.0);
+    for (int i = 0; i < 6; ++i) {
+        vec4 share = clamp(open[i], 0.0, 1.0);
+        for (int k = 0; k < 4; ++k) {
+            light += share[k] * textureLod(sectors, vec3(place, float(4 * i + k)), 0.0).rgb;
+        }
+    }
+    return light;
 }
 
 // Ambient occlusion times irradiance: visibility W darkens what an open surface would send out.

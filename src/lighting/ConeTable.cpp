@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "lighting/ConeSums.h"
+#include "lighting/DirectionCells.h"
 #include "lighting/Reduced.h"
 #include "shared/open_cone.h"
 
@@ -28,28 +29,6 @@ Status check(const ConeTableOptions& options) {
                     " apertures, must be 4 to 1024, 2 to 512 and 2 to 64"};
     }
     return {};
-}
-
-/// The two cells that a place lies between, and how far.
-struct Between {
-    int lower = 0;
-    int upper = 0;
-    float part = 0.0F;
-};
-
-/// Between the middles of columns, all the way round.
-Between columnsAt(float place, int count) {
-    const float at = place * static_cast<float>(count) - 0.5F;
-    const float lower = std::floor(at);
-    const int first = static_cast<int>(lower);
-    return {(first + count) % count, (first + 1) % count, at - lower};
-}
-
-/// Between steps from 0 to 1, both ends included.
-Between stepsAt(float place, int count) {
-    const float at = std::clamp(place, 0.0F, 1.0F) * static_cast<float>(count - 1);
-    const int lower = std::min(static_cast<int>(at), count - 2);
-    return {lower, lower + 1, at - static_cast<float>(lower)};
 }
 
 } // namespace

@@ -11,6 +11,7 @@ namespace aolib::lighting {
 struct EnvironmentLight::Content {
     gl::Functions gl; ///< before the textures, which refer to it
     LightTexture cones;
+    LightTexture sectors;
     LightTexture map;
     LightTexture angles;
 };
@@ -50,6 +51,16 @@ Result<EnvironmentLight> EnvironmentLight::create(const ProcAddressLoader& loade
         if (Status status = put(uploadCones(content->gl, *cones), content->cones); !status) {
             return status;
         }
+        if (options.sectors) {
+            const Result<SectorTable> sectors = SectorTable::create(map);
+            if (!sectors) {
+                return sectors.status();
+            }
+            if (Status status = put(uploadSectors(content->gl, *sectors), content->sectors);
+                !status) {
+                return status;
+            }
+        }
         if (Status status = put(uploadMap(content->gl, map), content->map); !status) {
             return status;
         }
@@ -69,6 +80,10 @@ TextureName EnvironmentLight::cones() const {
     return TextureName{content_->cones.texture.name()};
 }
 
+TextureName EnvironmentLight::sectors() const {
+    return TextureName{content_->sectors.texture.name()};
+}
+
 TextureName EnvironmentLight::map() const {
     return TextureName{content_->map.texture.name()};
 }
@@ -78,7 +93,8 @@ TextureName EnvironmentLight::angles() const {
 }
 
 std::size_t EnvironmentLight::bytes() const {
-    return content_->cones.bytes + content_->map.bytes + content_->angles.bytes;
+    return content_->cones.bytes + content_->sectors.bytes + content_->map.bytes +
+           content_->angles.bytes;
 }
 
 } // namespace aolib::lighting

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <glm/common.hpp>
+#include <glm/vec3.hpp>
 
 #include "gl/Label.h"
 #include "lighting/Reduced.h"
@@ -77,29 +78,40 @@ Status tooLarge(const std::string& label, int width, int height, int limit) {
                 " texels; this context allows " + std::to_string(limit)};
 }
 
-} // namespace
-
-Result<LightTexture> uploadCones(const gl::Functions& gl, const ConeTable& cones) {
-    const std::string label = "aolib/environment/cones";
-    const ConeTableOptions& size = cones.size();
+/// GL_TEXTURE_2D_ARRAY of halves, which repeats along u.
+Result<LightTexture> uploadLayers(const gl::Functions& gl, const std::string& label,
+                                  const glm::ivec3& size, const std::vector<glm::vec3>& values) {
     const int limit = gl.capabilities.maxTextureSize;
-    if (size.columns > limit || size.rows > limit ||
-        size.apertures > gl.capabilities.maxTextureLayers) {
-        return tooLarge(label, size.columns, size.rows, limit);
+    if (size.x > limit || size.y > limit || size.z > gl.capabilities.maxTextureLayers) {
+        return tooLarge(label, size.x, size.y, limit);
     }
     Result<LightTexture> made = named(gl, GL_TEXTURE_2D_ARRAY, label);
     if (!made) {
         return made;
     }
-    const std::vector<glm::vec3> values = cut(cones.values());
-    gl.TexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGB16F, size.columns, size.rows, size.apertures, 0,
-                  GL_RGB, GL_FLOAT, values.data());
+    gl.TexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGB16F, size.x, size.y, size.z, 0, GL_RGB, GL_FLOAT,
+                  cut(values).data());
     setSampling(gl, GL_TEXTURE_2D_ARRAY, GL_LINEAR, 0);
     made->bytes = values.size() * bytesOfHalves;
-    if (Status status = checkWidth(gl, GL_TEXTURE_2D_ARRAY, size.columns, label); !status) {
+    if (Status status = checkWidth(gl, GL_TEXTURE_2D_ARRAY, size.x, label); !status) {
         return status;
     }
     return made;
+}
+
+} // namespace
+
+Result<LightTexture> uploadCones(const gl::Functions& gl, const ConeTable& cones) {
+    const ConeTableOptions& size = cones.size();
+    return uploadLayers(gl, "aolib/environment/cones", {size.columns, size.rows, size.apertures},
+                        cones.values());
+}
+
+Result<LightTexture> uploadSectors(const gl::Functions& gl, const SectorTable& sectors) {
+    const SectorTableOptions& size = sectors.size();
+    return uploadLayers(gl, "aolib/environment/sectors",
+                        {size.columns, size.rows, std::tuple_size_v<OpenSectors>},
+                        sectors.values());
 }
 
 Result<LightTexture> uploadMap(const gl::Functions& gl, const EnvironmentMap& map) {

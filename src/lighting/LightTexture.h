@@ -11,6 +11,7 @@
 #include <aolib/Status.h>
 #include <aolib/lighting/ConeTable.h>
 #include <aolib/lighting/EnvironmentMap.h>
+#include <aolib/lighting/SectorTable.h>
 
 #include "gl/Handle.h"
 
@@ -25,6 +26,9 @@ struct LightTexture {
 
 /// GL_TEXTURE_2D_ARRAY of a cone table. Errors: MissingCapability, OutOfMemory.
 Result<LightTexture> uploadCones(const gl::Functions& gl, const ConeTable& cones);
+
+/// GL_TEXTURE_2D_ARRAY of a sector table. Errors: MissingCapability, OutOfMemory.
+Result<LightTexture> uploadSectors(const gl::Functions& gl, const SectorTable& sectors);
 
 /// GL_TEXTURE_2D of a map with all its mipmaps, each texel the mean of those it stands for.
 /// Errors: MissingCapability, OutOfMemory.

@@ -7,11 +7,15 @@
 
 #include <glm/geometric.hpp>
 
+#include <aolib/lighting/SectorTable.h>
+
 #include "raytracing/CosineSampling.h"
 
 namespace aolib {
 
 namespace {
+
+constexpr std::size_t sectorCount = std::tuple_size_v<lighting::OpenSectors>;
 
 glm::vec3 unitOrZero(const glm::dvec3& v) {
     const double length = glm::length(v);
@@ -29,6 +33,8 @@ Opening openingOf(const RayScene& scene, const Receiver& receiver, int cells, st
     double open = 0.0;
     glm::dvec3 byCosine(0.0);
     glm::dvec3 plain(0.0);
+    std::array<double, sectorCount> openIn{};
+    std::array<double, sectorCount> allIn{};
     for (int cell = 0; cell < cells * cells; ++cell) {
         const double cosine = (double(cell % cells) + random.next()) / double(cells);
         const double turn =
@@ -36,17 +42,29 @@ Opening openingOf(const RayScene& scene, const Receiver& receiver, int cells, st
         const double level = std::sqrt(1.0 - cosine * cosine);
         const glm::dvec3 direction =
             basis * glm::dvec3(level * std::cos(turn), level * std::sin(turn), cosine);
+        const auto sector =
+            static_cast<std::size_t>(lighting::sectorOfDirection(glm::vec3(direction)));
+        allIn[sector] += cosine;
         if (scene.occluded(origin, direction)) {
             continue;
         }
+        openIn[sector] += cosine;
         visibility += 2.0 * cosine;
         open += 1.0;
         byCosine += cosine * direction;
         plain += direction;
     }
     const double count = double(cells) * double(cells);
-    return {static_cast<float>(std::min(visibility / count, 1.0)), unitOrZero(byCosine),
-            static_cast<float>(open / count), unitOrZero(plain)};
+    Opening opening{static_cast<float>(std::min(visibility / count, 1.0)),
+                    unitOrZero(byCosine),
+                    static_cast<float>(open / count),
+                    unitOrZero(plain),
+                    {}};
+    for (std::size_t k = 0; k < opening.sectors.size(); ++k) {
+        opening.sectors[k] =
+            allIn[k] > 0.0 ? static_cast<float>(openIn[k] / allIn[k]) : opening.visibility;
+    }
+    return opening;
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -14,10 +15,12 @@ namespace aolib {
 
 /// What can be seen from a receiver, in few numbers: what bakers keep.
 struct Opening {
-    float visibility = 1.0F;       ///< W, by the cosine
-    glm::vec3 bentNormal{0.0F};    ///< mean open direction by the cosine, unit; 0 if all closed
-    float share = 1.0F;            ///< of the hemisphere's directions that are open
-    glm::vec3 meanDirection{0.0F}; ///< of the open ones, unit; 0 if all closed
+    float visibility = 1.0F;         ///< W, by the cosine
+    glm::vec3 bentNormal{0.0F};      ///< mean open direction by the cosine, unit; 0 if all closed
+    float share = 1.0F;              ///< of the hemisphere's directions that are open
+    glm::vec3 meanDirection{0.0F};   ///< of the open ones, unit; 0 if all closed
+    std::array<float, 24> sectors{}; ///< open share of each sector by the cosine; W where no ray
+                                     ///< went (shaders/shared/open_sector.h)
 };
 
 /// The openings of receivers, whose normals are unit length, by `rays` (at least 1; rounded up to a

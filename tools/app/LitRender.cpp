@@ -185,10 +185,12 @@ void LitFlags::attach(CLI::App& command) {
          {"blurred", host::LitMethod::Blurred},
          {"blurred-by-angles", host::LitMethod::BlurredByAngles},
          {"cone", host::LitMethod::Cone},
-         {"cone-and-sun", host::LitMethod::ConeAndSun}},
+         {"cone-and-sun", host::LitMethod::ConeAndSun},
+         {"sectors", host::LitMethod::Sectors},
+         {"sectors-and-sun", host::LitMethod::SectorsAndSun}},
         [this](host::LitMethod value) { method = value; },
         "how surfaces are lit by the environment")
-        ->default_str("cone-and-sun");
+        ->default_str("sectors-and-sun");
     command.add_option("--lit", picture, "the lit picture, .png, or .pfm for linear radiance")
         ->type_name("FILE");
     command.add_option("--lit-truth", truth, "the same traced; the error is printed")

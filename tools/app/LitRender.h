@@ -17,7 +17,7 @@ namespace aolib::app {
 /// The flags of "aolib render" that light a scene by an environment instead.
 struct LitFlags {
     std::string environment; ///< empty: none
-    host::LitMethod method = host::LitMethod::ConeAndSun;
+    host::LitMethod method = host::LitMethod::SectorsAndSun;
     double turn = 0.0;     ///< degrees about +Y
     double exposure = 0.0; ///< per unit of radiance; 0: by the picture
     double edge = 0.5;     ///< longest edge, percent of the scene's diagonal

@@ -1,6 +1,9 @@
 #include "host/LitMesh.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <span>
 
 namespace aolib::host {
@@ -26,6 +29,26 @@ gl::BufferName attribute(const gl::Functions& gl, GLuint location,
     return buffer;
 }
 
+/// Bytes, four a location.
+gl::BufferName sectorAttributes(const gl::Functions& gl, const LitPiece& piece) {
+    using Bytes = std::array<std::uint8_t, 24>;
+    std::vector<Bytes> bytes;
+    bytes.reserve(piece.sectors.size());
+    for (const std::array<float, 24>& open : piece.sectors) {
+        Bytes& own = bytes.emplace_back();
+        std::transform(open.begin(), open.end(), own.begin(), [](float share) {
+            return static_cast<std::uint8_t>(255.0F * std::clamp(share, 0.0F, 1.0F) + 0.5F);
+        });
+    }
+    gl::BufferName buffer = upload(gl, GL_ARRAY_BUFFER, bytes);
+    for (GLuint i = 0; i < 6 && !bytes.empty(); ++i) {
+        gl.EnableVertexAttribArray(4 + i);
+        gl.VertexAttribPointer(4 + i, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(Bytes),
+                               reinterpret_cast<const void*>(std::size_t{i} * 4));
+    }
+    return buffer;
+}
+
 } // namespace
 
 Result<LitMesh> LitMesh::create(const gl::Functions& gl, const LitPiece& piece) {
@@ -39,6 +62,7 @@ Result<LitMesh> LitMesh::create(const gl::Functions& gl, const LitPiece& piece) 
     mesh.buffers_.push_back(attribute(gl, 1, piece.normals));
     mesh.buffers_.push_back(attribute(gl, 2, piece.open));
     mesh.buffers_.push_back(attribute(gl, 3, piece.plain));
+    mesh.buffers_.push_back(sectorAttributes(gl, piece));
     mesh.buffers_.push_back(upload(gl, GL_ELEMENT_ARRAY_BUFFER, piece.indices));
     gl.BindVertexArray(0);
     const bool complete = std::all_of(mesh.buffers_.begin(), mesh.buffers_.end(),

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -14,15 +15,16 @@ namespace aolib::host {
 
 /// A piece of a scene with what was baked of its vertices; vectors as long as `positions`.
 struct LitPiece {
-    std::vector<glm::vec3> positions; ///< world units
-    std::vector<glm::vec3> normals;   ///< unit
-    std::vector<glm::vec4> open;      ///< bent normal by the cosine, visibility W
-    std::vector<glm::vec4> plain;     ///< mean open direction, share of open directions
+    std::vector<glm::vec3> positions;           ///< world units
+    std::vector<glm::vec3> normals;             ///< unit
+    std::vector<glm::vec4> open;                ///< bent normal by the cosine, visibility W
+    std::vector<glm::vec4> plain;               ///< mean open direction, share of open directions
+    std::vector<std::array<float, 24>> sectors; ///< how open each sector of directions is
     std::vector<std::uint32_t> indices;
     glm::vec3 colour{1.0F}; ///< linear
 };
 
-/// Such a piece in GPU memory: locations 0 to 3 in the order above.
+/// Such a piece in GPU memory: locations 0 to 3 in the order above, sectors from 4.
 class LitMesh {
 public:
     /// @param gl  must outlive the mesh. Errors: OutOfMemory.

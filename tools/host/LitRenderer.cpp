@@ -16,6 +16,23 @@ constexpr int kConesUnit = 0;
 constexpr int kMapUnit = 1;
 constexpr int kAnglesUnit = 2;
 constexpr int kSunUnit = 3;
+constexpr int kSectorsUnit = 4;
+
+bool drawsSun(LitMethod method) {
+    return method == LitMethod::ConeAndSun || method == LitMethod::SectorsAndSun;
+}
+
+/// The number that lit.frag knows a method by.
+int shaderMethod(LitMethod method) {
+    switch (method) {
+    case LitMethod::ConeAndSun:
+        return static_cast<int>(LitMethod::Cone);
+    case LitMethod::SectorsAndSun:
+        return static_cast<int>(LitMethod::Sectors);
+    default:
+        return static_cast<int>(method);
+    }
+}
 
 Result<gl::GLSLShader> build(const gl::Functions& gl, const gl::GLSLShader::Source& vertex,
                              const gl::GLSLShader::Source& fragment) {
@@ -77,6 +94,7 @@ Status LitRenderer::setEnvironment(const ProcAddressLoader& loader,
                                    const lighting::EnvironmentMap& map) {
     lighting::EnvironmentLightOptions options;
     options.angles = true;
+    options.sectors = true;
     Result<lighting::EnvironmentLight> whole =
         lighting::EnvironmentLight::create(loader, map, options);
     if (!whole) {
@@ -86,9 +104,11 @@ Status LitRenderer::setEnvironment(const ProcAddressLoader& loader,
     lighting::SplitEnvironment split = lighting::splitSun(map);
     sun_ = split.sun;
     rest_.reset();
+    lighting::EnvironmentLightOptions sectorsToo;
+    sectorsToo.sectors = true;
     if (sun_) {
         Result<lighting::EnvironmentLight> rest =
-            lighting::EnvironmentLight::create(loader, split.rest);
+            lighting::EnvironmentLight::create(loader, split.rest, sectorsToo);
         if (!rest) {
             return rest.status();
         }
@@ -103,7 +123,7 @@ void LitRenderer::draw(const glm::mat4& view, const glm::mat4& projection, LitMe
     gl_->Disable(GL_SCISSOR_TEST);
     gl_->Disable(GL_STENCIL_TEST);
     gl_->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    if (method == LitMethod::ConeAndSun && sun_) {
+    if (drawsSun(method) && sun_) {
         sunDepth_->draw(meshes_, bounds_, sun_->direction);
     }
     target_.beginAll();
@@ -131,11 +151,12 @@ void LitRenderer::drawSky(const glm::mat4& view, const glm::mat4& projection) {
 
 void LitRenderer::drawSurfaces(const glm::mat4& view, const glm::mat4& projection,
                                LitMethod method) {
-    const bool withSun = method == LitMethod::ConeAndSun && sun_.has_value();
+    const bool withSun = drawsSun(method) && sun_.has_value();
     const lighting::EnvironmentLight& light = withSun ? *rest_ : *whole_;
     bindTexture(kConesUnit, GL_TEXTURE_2D_ARRAY, light.cones());
     bindTexture(kMapUnit, GL_TEXTURE_2D, light.map());
     bindTexture(kAnglesUnit, GL_TEXTURE_CUBE_MAP, whole_->angles());
+    bindTexture(kSectorsUnit, GL_TEXTURE_2D_ARRAY, light.sectors());
     sunDepth_->bind(kSunUnit);
     gl_->Enable(GL_DEPTH_TEST);
     gl_->DepthFunc(GL_LESS);
@@ -145,8 +166,9 @@ void LitRenderer::drawSurfaces(const glm::mat4& view, const glm::mat4& projectio
     surface_.bind();
     surface_.set("viewProjection", projection * view);
     surface_.set("eyePosition", glm::vec3(glm::inverse(view)[3]));
-    surface_.set("method", static_cast<int>(std::min(method, LitMethod::Cone)));
+    surface_.set("method", shaderMethod(method));
     surface_.set("cones", kConesUnit);
+    surface_.set("sectors", kSectorsUnit);
     surface_.set("environment", kMapUnit);
     surface_.set("angles", kAnglesUnit);
     surface_.set("sunDepth", kSunUnit);

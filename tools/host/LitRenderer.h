@@ -22,13 +22,15 @@
 
 namespace aolib::host {
 
-/// How surfaces are lit; the first four are the shader's numbers.
+/// How surfaces are lit.
 enum class LitMethod : std::uint8_t {
     Irradiance,      ///< W times what an open surface sends out
     Blurred,         ///< accessibility times a blurred lookup (GPU Gems, chapter 17)
     BlurredByAngles, ///< the same with the cube map of angles
     Cone,            ///< the cone of open directions
     ConeAndSun,      ///< the same without the sun, which has a shadow map
+    Sectors,         ///< how open each of 24 sectors of directions is
+    SectorsAndSun,   ///< the same without the sun, which has a shadow map
 };
 
 /// Draws a scene under an environment, in linear radiance. Context: the one current at create().

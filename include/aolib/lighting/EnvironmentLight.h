@@ -10,12 +10,14 @@
 #include <aolib/Status.h>
 #include <aolib/lighting/ConeTable.h>
 #include <aolib/lighting/EnvironmentMap.h>
+#include <aolib/lighting/SectorTable.h>
 
 namespace aolib::lighting {
 
 /// What an EnvironmentLight makes. Since 0.1.
 struct EnvironmentLightOptions {
     ConeTableOptions cones;
+    bool sectors = false; ///< also the table of sectors
     bool angles = false;  ///< also the cube map of angles
     int anglesSize = 256; ///< texels along its faces, 1 to 4096
 };
@@ -38,6 +40,9 @@ public:
 
     /// GL_TEXTURE_2D_ARRAY: a ConeTable, one layer an aperture. Linear, repeats along u.
     AOLIB_LIGHTING_EXPORT TextureName cones() const;
+    /// GL_TEXTURE_2D_ARRAY: a SectorTable, one layer a sector; none where not asked for. Linear,
+    /// repeats along u. Since 0.1.
+    AOLIB_LIGHTING_EXPORT TextureName sectors() const;
     /// GL_TEXTURE_2D: the map itself with mipmaps. Linear, repeats along u.
     AOLIB_LIGHTING_EXPORT TextureName map() const;
     /// GL_TEXTURE_CUBE_MAP: latLong() of each direction in red and green; none where not asked for.
@@ -53,8 +58,9 @@ private:
 };
 
 /// Functions in GLSL 3.30 to put before a host's own, behind its `#version` line:
-/// `aoConeLight(cones, normal, bentNormal, visibility)`, `aoIrradianceLight`, `aoBlurredLight`,
-/// `aoBlurredLightByAngles`, `latLongPlace`; shaders/lighting/environment.glsl describes them.
+/// `aoConeLight(cones, normal, bentNormal, visibility)`, `aoSectorLight(sectors, normal, open)`,
+/// `aoIrradianceLight`, `aoBlurredLight`, `aoBlurredLightByAngles`, `latLongPlace`;
+/// shaders/lighting/environment.glsl describes them.
 AOLIB_LIGHTING_EXPORT std::string_view environmentShader();
 
 } // namespace aolib::lighting

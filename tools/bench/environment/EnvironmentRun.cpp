@@ -26,11 +26,12 @@ namespace {
 using host::LitMethod;
 using Clock = std::chrono::steady_clock;
 
-constexpr std::array<LitMethod, 4> kPixelMethods{LitMethod::Irradiance, LitMethod::Blurred,
-                                                 LitMethod::Cone, LitMethod::ConeAndSun};
-constexpr std::array<LitMethod, 5> kDrawnMethods{LitMethod::Irradiance, LitMethod::Blurred,
-                                                 LitMethod::BlurredByAngles, LitMethod::Cone,
-                                                 LitMethod::ConeAndSun};
+constexpr std::array<LitMethod, 6> kPixelMethods{LitMethod::Irradiance, LitMethod::Blurred,
+                                                 LitMethod::Cone,       LitMethod::ConeAndSun,
+                                                 LitMethod::Sectors,    LitMethod::SectorsAndSun};
+constexpr std::array<LitMethod, 7> kDrawnMethods{
+    LitMethod::Irradiance, LitMethod::Blurred, LitMethod::BlurredByAngles, LitMethod::Cone,
+    LitMethod::ConeAndSun, LitMethod::Sectors, LitMethod::SectorsAndSun};
 /// Of the truth's mean: what is that bright is shown at 63%.
 constexpr double kShownMean = 1.0;
 
@@ -178,7 +179,7 @@ Status ViewRun::measure(const NamedEnvironment& environment, EnvironmentFigures&
             return status;
         }
         figures.rows.push_back(row);
-        if (method != LitMethod::BlurredByAngles) {
+        if (method != LitMethod::BlurredByAngles && method != LitMethod::Sectors) {
             strip.push_back(toneMapped(picture_, exposure));
         }
     }
@@ -206,6 +207,10 @@ const char* litMethodName(LitMethod method) {
         return "cone";
     case LitMethod::ConeAndSun:
         return "cone-and-sun";
+    case LitMethod::Sectors:
+        return "sectors";
+    case LitMethod::SectorsAndSun:
+        return "sectors-and-sun";
     }
     return "unknown";
 }

@@ -67,6 +67,7 @@ Result<std::vector<bake::BakedVertices>> bakeVertices(const LitScene& scene, int
     bake::RayOptions options;
     options.rays = rays;
     options.measure = measure;
+    options.sectors = measure == bake::Measure::Cosine;
     const auto baker = bake::createRayBaker(std::move(input), options);
     if (!baker) {
         return baker.status();
@@ -136,6 +137,9 @@ Result<LitScene> bakeLitScene(Model model, const LitSceneOptions& options,
         }
         for (std::size_t i = 0; i < scene.pieces.size(); ++i) {
             (first ? scene.pieces[i].open : scene.pieces[i].plain) = together((*values)[i]);
+            if (first) {
+                scene.pieces[i].sectors = (*values)[i].sectors;
+            }
         }
     }
     scene.bakeSeconds =

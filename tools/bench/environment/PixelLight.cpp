@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include <aolib/lighting/ConeTable.h>
+#include <aolib/lighting/SectorTable.h>
 #include <aolib/lighting/Sun.h>
 
 namespace aolib::bench {
@@ -86,12 +87,16 @@ Result<std::vector<glm::vec3>> lightOf(const RayScene& scene, std::span<const Re
                                        host::LitMethod method) {
     using host::LitMethod;
     lighting::SplitEnvironment split{std::nullopt, map};
-    if (method == LitMethod::ConeAndSun) {
+    if (method == LitMethod::ConeAndSun || method == LitMethod::SectorsAndSun) {
         split = lighting::splitSun(map);
     }
     const Result<lighting::ConeTable> cones = lighting::ConeTable::create(split.rest);
     if (!cones) {
         return cones.status();
+    }
+    const Result<lighting::SectorTable> sectors = lighting::SectorTable::create(split.rest);
+    if (!sectors) {
+        return sectors.status();
     }
     const BoxSums boxes(map);
     std::vector<glm::vec3> light(receivers.size());
@@ -115,10 +120,14 @@ Result<std::vector<glm::vec3>> lightOf(const RayScene& scene, std::span<const Re
                 opening.visibility == 0.0F
                     ? glm::vec3(0.0F)
                     : lighting::coneLight(*cones, normal, opening.bentNormal, opening.visibility);
-            if (split.sun) {
-                light[i] += sunAt(scene, receivers[i], *split.sun);
-            }
             break;
+        case LitMethod::Sectors:
+        case LitMethod::SectorsAndSun:
+            light[i] = lighting::sectorLight(*sectors, normal, opening.sectors);
+            break;
+        }
+        if (split.sun) {
+            light[i] += sunAt(scene, receivers[i], *split.sun);
         }
     }
     return light;

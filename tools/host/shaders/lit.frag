@@ -3,9 +3,11 @@ in vec3 worldPosition;
 in vec3 worldNormal;
 in vec4 openCone;
 in vec4 plainCone;
+in vec4 sectorShares[6];
 
 uniform int method; // LitMethod
 uniform sampler2DArray cones;
+uniform sampler2DArray sectors;
 uniform sampler2D environment;
 uniform samplerCube angles;
 uniform vec3 baseColour;      // linear
@@ -21,6 +23,7 @@ layout(location = 0) out vec4 radiance;
 const int IRRADIANCE = 0;
 const int BLURRED = 1;
 const int BLURRED_BY_ANGLES = 2;
+const int SECTORS = 5;
 const float INVERSE_PI_OF_LIGHT = 0.318309886;
 const int SUN_REACH = 1; // texels to each side that are asked
 
@@ -63,6 +66,8 @@ void main() {
         light = aoBlurredLight(environment, unit(plainCone.xyz, normal), plainCone.w);
     } else if (method == BLURRED_BY_ANGLES) {
         light = aoBlurredLightByAngles(environment, angles, unit(plainCone.xyz, normal), plainCone.w);
+    } else if (method == SECTORS) {
+        light = aoSectorLight(sectors, normal, sectorShares);
     } else {
         light = aoConeLight(cones, normal, unit(openCone.xyz, normal), openCone.w);
     }

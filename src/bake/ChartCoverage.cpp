@@ -37,7 +37,8 @@ struct ChartTriangle {
     }
 };
 
-ChartTriangle chartTriangleOf(const Surface& surface, std::uint32_t triangle, const MapStack& stack) {
+ChartTriangle chartTriangleOf(const Surface& surface, std::uint32_t triangle,
+                              const MapStack& stack) {
     ChartTriangle corners;
     for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t vertex = surface.indices[std::size_t{triangle} * 3 + k];

@@ -69,7 +69,8 @@ public:
             }
             const float weight = weights_.of(triangle, glm::vec2(pixel), view);
             if (weight > 0.0F) {
-                const glm::vec2 place = glm::vec2(pixel) * size + glm::vec2(0.0F, float(row) * size.y);
+                const glm::vec2 place =
+                    glm::vec2(pixel) * size + glm::vec2(0.0F, float(row) * size.y);
                 target_.scatter(place, shape, [&](std::size_t texel, float share) {
                     light[texel] += unit * (share * weight);
                 });

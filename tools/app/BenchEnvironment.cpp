@@ -186,7 +186,7 @@ void addBenchEnvironment(CLI::App& bench, MaybeFailure& failure) {
                     "  aolib bench environment --quick\n"
                     "  aolib bench environment --scene town --environment sunny\n"
                     "Pictures show, left to right: traced, irradiance, blurred, cone, "
-                    "cone-and-sun.");
+                    "cone-and-sun, sectors-and-sun.");
     command->callback([flags, &failure] { failure = benchEnvironment(*flags); });
 }
 

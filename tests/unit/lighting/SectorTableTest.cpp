@@ -12,13 +12,13 @@
 namespace aolib::lighting::test {
 namespace {
 
-SectorTable tableOf(const EnvironmentMap& map) {
+SectorTable sectorTableOf(const EnvironmentMap& map) {
     Result<SectorTable> table = SectorTable::create(map);
     EXPECT_TRUE(table.ok()) << table.status().message();
     return *table;
 }
 
-OpenSectors allOpen(float share = 1.0F) {
+OpenSectors openSectors(float share = 1.0F) {
     OpenSectors open;
     open.fill(share);
     return open;
@@ -45,15 +45,15 @@ TEST(SectorTableTest, SectorsAreQuartersOfACubesFaces) {
 TEST(SectorTableTest, AnOpenSurfaceHasTheIrradianceOfAnUpperSky) {
     // (1 + cos t) / 2 at the angle t to its pole. Bounds: rows of texels, and between the table's
     // 17 rows, where a horizon has an edge.
-    const SectorTable table = tableOf(upperSky());
+    const SectorTable table = sectorTableOf(upperSky());
     for (float degrees = 3.0F; degrees < 180.0F; degrees += 11.0F) {
         const float t = glm::radians(degrees);
         const glm::vec3 normal(std::sin(t) * 0.6F, std::cos(t), std::sin(t) * 0.8F);
-        EXPECT_NEAR(sectorLight(table, normal, allOpen()).r, 0.5F * (1.0F + std::cos(t)), 0.01F)
+        EXPECT_NEAR(sectorLight(table, normal, openSectors()).r, 0.5F * (1.0F + std::cos(t)), 0.01F)
             << degrees;
-        EXPECT_NEAR(sectorLight(table, normal, allOpen(0.25F)).r,
-                    0.25F * sectorLight(table, normal, allOpen()).r, 1e-5F);
-        EXPECT_EQ(sectorLight(table, normal, allOpen(-1.0F)), glm::vec3(0.0F)) << "cut";
+        EXPECT_NEAR(sectorLight(table, normal, openSectors(0.25F)).r,
+                    0.25F * sectorLight(table, normal, openSectors()).r, 1e-5F);
+        EXPECT_EQ(sectorLight(table, normal, openSectors(-1.0F)), glm::vec3(0.0F)) << "cut";
     }
 }
 
@@ -63,16 +63,16 @@ TEST(SectorTableTest, LightComesFromOpenSectorsAlone) {
     const auto sky = mapOf(256, 128, [&](const glm::vec3& direction) {
         return glm::vec3(glm::dot(direction, spot) > 0.99F ? 1.0F : 0.0F);
     });
-    const SectorTable table = tableOf(sky);
+    const SectorTable table = sectorTableOf(sky);
     const glm::vec3 normal = glm::normalize(glm::vec3(0.5F, 1.0F, 0.2F));
-    OpenSectors open = allOpen(0.0F);
+    OpenSectors open = openSectors(0.0F);
     open[static_cast<std::size_t>(sectorOfDirection(spot))] = 1.0F;
     // A cap of height 0.01: its solid angle over pi is 0.02.
     EXPECT_NEAR(sectorLight(table, normal, open).g, 0.02F * glm::dot(normal, spot), 0.0008F);
-    OpenSectors others = allOpen();
+    OpenSectors others = openSectors();
     others[static_cast<std::size_t>(sectorOfDirection(spot))] = 0.0F;
     EXPECT_EQ(sectorLight(table, normal, others), glm::vec3(0.0F));
-    EXPECT_EQ(sectorLight(table, -spot, allOpen()), glm::vec3(0.0F)) << "behind the surface";
+    EXPECT_EQ(sectorLight(table, -spot, openSectors()), glm::vec3(0.0F)) << "behind the surface";
 }
 
 TEST(SectorTableTest, EveryMisuseHasItsCode) {

@@ -41,8 +41,8 @@ protected:
         settings.label = "test";
         target_ = std::move(*gl::RenderToTexture2D::create(gl, settings));
         map_ = smallStudio();
-        Result<EnvironmentLight> light =
-            EnvironmentLight::create(loader, map_, {.cones = kCones, .angles = true});
+        Result<EnvironmentLight> light = EnvironmentLight::create(
+            loader, map_, {.cones = kCones, .sectors = true, .angles = true});
         ASSERT_TRUE(light) << light.status().message();
         light_.emplace(std::move(*light));
     }
@@ -56,6 +56,7 @@ protected:
     std::vector<glm::vec4> shaded(const std::string& expression) {
         const std::string text = "#version 330 core\n" + std::string(environmentShader()) + R"(
 uniform sampler2DArray cones;
+uniform sampler2DArray sectors;
 uniform sampler2D map;
 uniform samplerCube angles;
 layout(location = 0) out vec4 result;
@@ -72,6 +73,8 @@ void main() {
         bind(0, GL_TEXTURE_2D_ARRAY, light_->cones());
         bind(1, GL_TEXTURE_2D, light_->map());
         bind(2, GL_TEXTURE_CUBE_MAP, light_->angles());
+        bind(3, GL_TEXTURE_2D_ARRAY, light_->sectors());
+        shader->set("sectors", 3);
         shader->set("cones", 0);
         shader->set("map", 1);
         shader->set("angles", 2);
@@ -124,6 +127,23 @@ TEST_P(EnvironmentLightGLTest, ConesAreThoseOfTheTable) {
             const glm::vec3 expected = coneLight(*table, normal, direction, w);
             ASSERT_LT(glm::distance(glm::vec3(pixels[i]), expected), 0.02F) << i << ' ' << w;
         }
+    }
+}
+
+TEST_P(EnvironmentLightGLTest, SectorsAreThoseOfTheTable) {
+    const Result<SectorTable> table = SectorTable::create(map_);
+    ASSERT_TRUE(table.ok());
+    OpenSectors open;
+    std::string list;
+    for (std::size_t k = 0; k < open.size(); ++k) {
+        open[k] = k % 3 == 0 ? 0.0F : float(k) / 20.0F; // the last are cut
+        list += (k == 0 ? "" : k % 4 == 0 ? "), vec4(" : ", ") + std::to_string(open[k]);
+    }
+    const auto pixels =
+        shaded("aoSectorLight(sectors, direction, vec4[6](vec4(" + list + "))), 1.0");
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const glm::vec3 expected = sectorLight(*table, directionOf(i), open);
+        ASSERT_LT(glm::distance(glm::vec3(pixels[i]), expected), 0.02F) << i;
     }
 }
 

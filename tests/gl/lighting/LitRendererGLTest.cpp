@@ -67,6 +67,12 @@ TEST_F(LitRendererGLTest, ErrorsAgainstRaysStayBelowTheirBounds) {
         EXPECT_LT((rmse[{"sunny", LitMethod::ConeAndSun, drawn}]), 0.06 * share) << drawn;
         EXPECT_LT((rmse[{"overcast", LitMethod::Cone, drawn}]), 0.06 * share) << drawn;
         EXPECT_LT((rmse[{"window", LitMethod::Cone, drawn}]), 0.30 * share) << drawn;
+        EXPECT_LT((rmse[{"window", LitMethod::SectorsAndSun, drawn}]), 0.15 * share) << drawn;
+        EXPECT_LT((rmse[{"sunny", LitMethod::SectorsAndSun, drawn}]), 0.06 * share) << drawn;
+        EXPECT_LT((rmse[{"overcast", LitMethod::Sectors, drawn}]), 0.06 * share) << drawn;
+        EXPECT_LT((1.5 * rmse[{"window", LitMethod::Sectors, drawn}]),
+                  (rmse[{"window", LitMethod::Cone, drawn}]))
+            << drawn;
         for (const char* environment : {"sunny", "overcast"}) {
             const double best = rmse[{environment, LitMethod::ConeAndSun, drawn}];
             EXPECT_LT(2.0 * best, (rmse[{environment, LitMethod::Irradiance, drawn}]))

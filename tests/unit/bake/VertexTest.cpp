@@ -40,6 +40,31 @@ double surfaceError(const BakedVertices& vertices, int cells, double height) {
     return std::sqrt(sum / samples);
 }
 
+TEST(VertexTest, SectorsAreOpenWhereNothingStands) {
+    RayOptions ray;
+    ray.rays = 1024;
+    ray.sectors = true;
+    // The wall stands at x = 0, which is towards -x, high enough to hide all of that side.
+    auto baker = createRayBaker(floorBesideWall(1000.0, 8), ray);
+    ASSERT_TRUE(baker.ok());
+    const auto vertices = (*baker)->bakeVertices({}, {});
+    ASSERT_TRUE(vertices.ok()) << vertices.status().message();
+    const BakedVertices& floor = vertices->front();
+    ASSERT_EQ(floor.sectors.size(), floor.visibility.size());
+    EXPECT_TRUE(vertices->at(1).sectors.empty()) << "it only occludes";
+    const OpenSectors& open = floor.sectors[4 * 9 + 4];
+    for (std::size_t k = 0; k < open.size(); ++k) {
+        const bool above = (k & 2U) != 0;
+        const bool right = (k & 1U) != 0; // towards +x
+        EXPECT_NEAR(open[k], above ? (right ? 1.0F : 0.0F) : floor.visibility[4 * 9 + 4], 0.01F)
+            << k;
+    }
+    VertexOptions fitted;
+    fitted.fit = VertexFit::LeastSquares;
+    EXPECT_EQ((*baker)->bakeVertices(fitted, {}).status().code(), StatusCode::MissingCapability);
+    EXPECT_TRUE(verticesOf(floorBesideWall(1.0, 2), {}, 4).sectors.empty()) << "not asked for";
+}
+
 TEST(VertexTest, DirectValuesAreThoseOfTheVertices) {
     const BakedVertices vertices = verticesOf(floorBesideWall(0.5, 8), {});
     ASSERT_EQ(vertices.visibility.size(), 81U);

@@ -75,10 +75,6 @@ void visitOptions(OptionsType& o, Visitor&& visit) {
           "layered-intervals where the host draws: depth of what is seen, world units; 0 = radius "
           "/ 4");
     visit("texel-rays", o.rayTraced.rays, OptionRange{4, 65536}, "ray-traced: rays per texel");
-    visit(
-        "repair", o.rayTraced.repair,
-        "ray-traced, and layered-intervals with a tracer: while the view rests, trace pixels that "
-        "texels do not tell");
     visit("frame-budget", o.frameBudget, OptionRange{0.0, 1000.0},
           "milliseconds per frame for computing cube maps; 0 = each at once");
     visit("face-size", o.cubeMaps.faceSize, OptionRange{16, 4096},
@@ -91,6 +87,9 @@ void visitOptions(OptionsType& o, Visitor&& visit) {
           "how cube maps reach the picture");
     visit("memory-budget", o.cubeMaps.memoryBudget, OptionRange{0.0, 1048576.0},
           "MiB of GPU memory that cube maps may keep; 0 = no limit");
+    visit("repair", o.cubeMaps.repair,
+          "while the view rests, also compute its pixels by themselves: ray-traced, "
+          "layered-intervals");
     visit("outlines", o.cubeMaps.outlines, "draw a wire cube where each cube map stands");
     visit("blur", o.blur.enabled, "edge-aware blur of horizon-split and of screen space");
     visit("blur-size", o.blur.size, OptionRange{1, 15}, "edge length of the blur, pixels, odd");

@@ -68,9 +68,6 @@ struct LayeredIntervalsOptions {
 /// Settings of `Estimator::RayTraced`.
 struct RayTracedOptions {
     int rays = 256; ///< per texel when converged, count, 4 to 65536
-    /// While the view rests, also trace the pixels that texels do not quite tell, each by itself;
-    /// of layered intervals as well where there is a tracer and no mesh has normals of its own.
-    bool repair = true;
 
     bool operator==(const RayTracedOptions&) const = default;
 };
@@ -85,6 +82,11 @@ struct CubeMapOptions {
     /// MiB that cube maps may keep on the GPU, room for one at least; 0 = no limit. Those placed by
     /// coverage give way to newer ones, the least useful to recent views first.
     float memoryBudget = 512.0F;
+    /// While the view rests, also compute its pixels by themselves, where texels are too coarse:
+    /// those in doubt are traced where there is a tracer and no mesh has normals of its own; else
+    /// layered intervals compute all of a perspective view. Horizon split leaves texels as they
+    /// are.
+    bool repair = true;
     bool outlines = false; ///< draw a small wire cube where each cube map stands
 };
 

@@ -14,6 +14,6 @@ void main() {
     vec4 nearest = intervalAt(texel, 0);
     outFound = nearest.x < 0.0
                    ? vec2(0.0)
-                   : blockedLayeredIntervals(texel, rayOf(texel) * nearest.x, decodeNormal(nearest.zw),
-                                      uFirstSlice, uSliceCount);
+                   : blockedLayeredIntervals(texel, numberOf(texel), rayOf(texel) * nearest.x,
+                                             decodeNormal(nearest.zw), uFirstSlice, uSliceCount);
 }

@@ -9,7 +9,7 @@
 //   vec3 rayOf(Texel texel)                              unit direction of its middle
 //   vec4 intervalAt(Texel texel, int layer)              entry (-1 none), exit, octahedral normal
 //   int uLayers
-//   float texelAngle(), float footprintAt(Texel, vec3 position), uint numberOf(Texel)
+//   float texelAngle(), float footprintAt(Texel, vec3 position)
 #include "shared/falloff.h"
 #include "shared/sector_mask.h"
 #include "shared/slice.h"
@@ -24,9 +24,15 @@ const float kPi = 3.14159265358979;
 // The receiver is lifted off its surface by this many texel footprints.
 const float kLift = 0.1;
 // A sample's surface is continued along its tangent plane by at most this many step widths; a sheet,
-// which leaves no solid behind where it ends, by more (docs/accuracy.md has the errors for others).
+// which leaves no solid behind where it ends, by more (docs/accuracy.md has the errors for others). The
+// finer the steps, the less is left to guess: stages with many define AO_FINE_STEPS.
+#ifdef AO_FINE_STEPS
+const float kExtension = 0.5;
+const float kSheetExtension = 8.0;
+#else
 const float kExtension = 1.0;
 const float kSheetExtension = 4.0;
+#endif
 // Cosine between ray and normal below which a surface's course between two rays is not known.
 const float kEdgeOn = 1.0e-6;
 // exp(-L / radius) is below 1% from here on, in radii.
@@ -267,7 +273,10 @@ vec2 blockedInSlice(Receiver p, vec3 tangent, float jitter) {
 
 // Weight that is blocked, and all weight, of the slices from `first` to before `first + count`, of
 // uSlices in all. Sums over all of them divide to 1 - W.
-vec2 blockedLayeredIntervals(Texel texel, vec3 position, vec3 normal, int first, int count) {
+// @param texel  that shows what lies towards the position
+// @param seed   another one for each receiver
+vec2 blockedLayeredIntervals(Texel texel, uint seed, vec3 position, vec3 normal, int first,
+                             int count) {
     Receiver p;
     position += kLift * footprintAt(texel, position) * normal;
     p.distance = length(position);
@@ -275,7 +284,6 @@ vec2 blockedLayeredIntervals(Texel texel, vec3 position, vec3 normal, int first,
     p.normal = normal;
     p.reach = uFalloff == 1 ? kExpReach * uRadius : uRadius;
     p.texel = texel;
-    uint seed = numberOf(texel);
     float turn = hash(seed);
     vec3 right = normalize(cross(abs(p.toCentre.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0),
                                  p.toCentre));
@@ -288,7 +296,7 @@ vec2 blockedLayeredIntervals(Texel texel, vec3 position, vec3 normal, int first,
     return sum;
 }
 
-float visibilityLayeredIntervals(Texel texel, vec3 position, vec3 normal) {
-    vec2 sum = blockedLayeredIntervals(texel, position, normal, 0, uSlices);
+float visibilityLayeredIntervals(Texel texel, uint seed, vec3 position, vec3 normal) {
+    vec2 sum = blockedLayeredIntervals(texel, seed, position, normal, 0, uSlices);
     return sum.y > 0.0 ? 1.0 - sum.x / sum.y : 1.0;
 }

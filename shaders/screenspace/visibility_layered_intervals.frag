@@ -32,7 +32,6 @@ vec4 intervalAt(Texel texel, int layer) {
 
 float texelAngle() { return pixelFootprint(1.0); }
 float footprintAt(Texel texel, vec3 position) { return pixelFootprint(-position.z); }
-uint numberOf(Texel texel) { return uint(texel.at.x) + uint(uViewSize.x) * uint(texel.at.y); }
 
 #include "estimators/layered_intervals.glsl"
 
@@ -44,7 +43,8 @@ void main() {
     outBest = vec2(1.0, 0.0);
     if (t >= 0.0) {
         vec3 normal = worldNormalAt(texel.at) * uEyeToWorld;
+        uint seed = uint(texel.at.x) + uint(uViewSize.x) * uint(texel.at.y);
         outBest.r = clamp(
-            visibilityLayeredIntervals(texel, eyePositionAt(texel.at, t), normal), 0.0, 1.0);
+            visibilityLayeredIntervals(texel, seed, eyePositionAt(texel.at, t), normal), 0.0, 1.0);
     }
 }

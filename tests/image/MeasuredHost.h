@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include <aolib/aolib.h>
@@ -13,9 +14,13 @@ namespace aolib::test {
 /// Context: the one current at its creation, for every call and its end.
 class MeasuredHost {
 public:
+    /// Whether a picture is looked at while the camera moves, or once it rests and its pixels have
+    /// been computed by themselves.
+    enum class View : std::uint8_t { Moving, AtRest };
+
     /// @param gl, truth  must outlive it.
     MeasuredHost(const gl::Functions& gl, ProcAddressLoader loader, const Model& model,
-                 TracedKinds& truth);
+                 TracedKinds& truth, View view = View::Moving);
 
     /// RMSE of W, as the host's colours tell it.
     double error(const CameraKind& camera, const FramebufferKind& kind);
@@ -31,6 +36,7 @@ private:
     const gl::Functions& gl_;
     ProcAddressLoader loader_;
     TracedKinds& truth_;
+    const View view_;
     WhiteHost host_;
     std::optional<AmbientOcclusion> ao_;
 };

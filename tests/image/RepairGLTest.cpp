@@ -1,4 +1,5 @@
-// A view at rest becomes the ray-traced picture, edges finer than texels included.
+// A view at rest becomes the picture that its pixels tell, edges finer than texels included:
+// traced, or from layered intervals about the eye.
 #include <chrono>
 #include <thread>
 #include <utility>
@@ -52,22 +53,57 @@ TEST_P(RepairGLTest, AViewAtRestBecomesTheTracedPicture) {
              {Way{0.0F, ProjectionMethod::SinglePass}, Way{20.0F, ProjectionMethod::PingPong}}) {
             options.frameBudget = budget;
             options.cubeMaps.projection = method;
-            options.rayTraced.repair = false;
+            options.cubeMaps.repair = false;
             RenderedScene scene(gl, loader, model, options, kRepairWidth, kRepairHeight);
             ASSERT_TRUE(scene.ready());
             scene.ao().setTexelTracer(std::move(*createTexelTracer(2)));
             ASSERT_NO_FATAL_FAILURE(converge(scene, camera));
-            EXPECT_EQ(scene.ao().statistics().pixelsTraced, 0U);
+            EXPECT_EQ(scene.ao().statistics().pixelsRepaired, 0U);
             const double without = rmse(scene.visibility(), truth);
             const ByteImage plain = scene.composite();
-            options.rayTraced.repair = true;
+            options.cubeMaps.repair = true;
             ASSERT_TRUE(scene.ao().setOptions(options).ok());
             ASSERT_NO_FATAL_FAILURE(converge(scene, camera));
-            EXPECT_GT(scene.ao().statistics().pixelsTraced, 200U);
+            EXPECT_GT(scene.ao().statistics().pixelsRepaired, 200U);
             EXPECT_GT(without, 0.02) << "else there is nothing to repair";
             EXPECT_LT(rmse(scene.visibility(), truth), 0.012) << "from " << without;
             EXPECT_NE(scene.composite().pixels, plain.pixels) << "the host's picture shows it";
         }
+    }
+}
+
+TEST_P(RepairGLTest, WithoutATracerIntervalsAboutTheEyeTellEveryPixel) {
+    const SceneView which{"town", "square"};
+    const Model model = buildScene(which);
+    const NamedCamera camera = cameraOf(which);
+    Options options;
+    options.estimator = Estimator::LayeredIntervals;
+    options.radius = 0.1F * model.bounds().diagonal();
+    options.cubeMaps.faceSize = 128;
+    const Picture traced =
+        traceView(model, camera, kRepairWidth, kRepairHeight, options.radius, 1024);
+    const FloatImage truth = visibilityOf(traced);
+    FloatImage before; // with another budget
+    for (const float budget : {20.0F, 0.0F}) {
+        options.frameBudget = budget;
+        options.cubeMaps.repair = false;
+        RenderedScene scene(gl, loader, model, options, kRepairWidth, kRepairHeight);
+        ASSERT_TRUE(scene.ready());
+        ASSERT_NO_FATAL_FAILURE(converge(scene, camera));
+        const double without = rmse(scene.visibility(), truth);
+        options.cubeMaps.repair = true;
+        ASSERT_TRUE(scene.ao().setOptions(options).ok());
+        ASSERT_NO_FATAL_FAILURE(converge(scene, camera));
+        const FloatImage repaired = scene.visibility();
+        EXPECT_GT(without, 0.06) << "else there is nothing to repair";
+        EXPECT_LT(rmse(repaired, truth), 0.6 * without);
+        ASSERT_TRUE(scene.frame(camera).ok());
+        EXPECT_EQ(scene.visibility().pixels, repaired.pixels) << "frame for frame";
+        EXPECT_EQ(scene.ao().statistics().bytesBuilding, 0U);
+        if (!before.pixels.empty()) { // sums of slices round as they are added up
+            EXPECT_LT(rmse(repaired, before), 1e-5) << "however many frames it took";
+        }
+        before = repaired;
     }
 }
 

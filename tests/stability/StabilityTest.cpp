@@ -11,7 +11,8 @@ Options StabilityTest::options(float radius) {
     Options options = atOnce();
     options.estimator = GetParam();
     options.radius = radius;
-    options.rayTraced = {.rays = 64, .repair = false}; // what cube maps know, not the view at rest
+    options.rayTraced.rays = 64;
+    options.cubeMaps.repair = false; // what cube maps know, not the view at rest
     options.cubeMaps.faceSize = kFaceSize;
     options.cubeMaps.place = false;
     return options;

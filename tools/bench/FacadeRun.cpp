@@ -47,6 +47,7 @@ struct FacadeRun::Impl {
         : scene(opened), size(pictureSize), timer(std::move(passTimer)), ao(std::move(library)),
           frames(std::move(host)) {}
 
+    Status giveOrTakeTracer(bool wanted);
     Status buildOnce(const FacadeMethod& method, const std::vector<glm::vec3>& positions,
                      const Truth& truth, const Patience& patience, Measurement& m, Gathered& all);
     Status converge(const Options& options, const Truth& truth, const Patience& patience,
@@ -62,6 +63,7 @@ struct FacadeRun::Impl {
     std::unique_ptr<PassTimer> timer; ///< outlives `ao`, which has its functions
     AmbientOcclusion ao;
     HostedFrames frames;
+    bool tracer = true; ///< `ao` has one
 };
 
 FacadeRun::FacadeRun(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -100,7 +102,12 @@ Measurement FacadeRun::measure(const FacadeMethod& method, const BenchCase& whic
         cubeMapPositions(impl_->scene, camera, impl_->size, method.cubeMaps);
     Measurement m;
     Gathered all;
-    Status status = warmUp(impl_->ao, impl_->frames, sized.options, camera.eye);
+    Status status = impl_->giveOrTakeTracer(method.tracer);
+    if (!status) {
+        m.failure = status.message();
+        return m;
+    }
+    status = warmUp(impl_->ao, impl_->frames, sized.options, camera.eye);
     for (int turn = 0; status && turn < patience.repeat; ++turn) {
         status = impl_->buildOnce(sized, positions, truth, patience, m, all);
     }
@@ -146,6 +153,18 @@ Status FacadeRun::Impl::buildOnce(const FacadeMethod& method,
                                             : std::max(convergedMs - build.frames * usual, 0.0));
     all.frameMs.insert(all.frameMs.end(), now.frameMs.begin(), now.frameMs.end());
     all.hostMs.insert(all.hostMs.end(), now.hostMs.begin(), now.hostMs.end());
+    return {};
+}
+
+Status FacadeRun::Impl::giveOrTakeTracer(bool wanted) {
+    if (tracer == wanted) {
+        return {};
+    }
+    tracer = wanted;
+    if (wanted) {
+        return host::giveTracer(ao);
+    }
+    ao.setTexelTracer({});
     return {};
 }
 

@@ -16,7 +16,6 @@ std::string across(int slices, int steps) {
 Options atOnce() {
     Options options;
     options.frameBudget = 0.0F;
-    options.rayTraced.repair = false;
     options.cubeMaps.place = false;
     return options;
 }
@@ -43,13 +42,13 @@ Method layeredCube(int slices, int steps, int faceSize, int cubeMaps, bool stand
     return {"layered-" + across(slices, steps) + "-" + size +
                 (many ? "-" + std::to_string(cubeMaps) + "maps" : ""),
             across(slices, steps) + " " + size, many ? Family::LayeredCubeTen : Family::LayeredCube,
-            FacadeMethod{options, cubeMaps}, standard};
+            FacadeMethod{options, cubeMaps, /*tracer=*/false}, standard};
 }
 
 Method rayTracedCube(int rays, int faceSize, int cubeMaps = 1) {
     Options options = atOnce();
     options.estimator = Estimator::RayTraced;
-    options.rayTraced = {.rays = rays, .repair = true};
+    options.rayTraced.rays = rays;
     options.frameBudget = 5.0F;
     options.cubeMaps.faceSize = faceSize;
     options.cubeMaps.nearest = cubeMaps;
@@ -60,11 +59,20 @@ Method rayTracedCube(int rays, int faceSize, int cubeMaps = 1) {
             FacadeMethod{options, cubeMaps}};
 }
 
-/// The same with pixels of the view at rest traced themselves, or without.
-Method withRepair(Method method, bool repair) {
-    std::get<FacadeMethod>(method.how).options.rayTraced.repair = repair;
-    method.name += repair ? "-repaired" : "-moving";
-    method.label += repair ? " repaired" : " moving";
+/// The same as a moving camera sees it: pixels are not computed themselves.
+Method moving(Method method) {
+    std::get<FacadeMethod>(method.how).options.cubeMaps.repair = false;
+    method.name += "-moving";
+    method.label += " moving";
+    method.standard = kOnRequest;
+    return method;
+}
+
+/// The same where pixels of the view at rest can be traced.
+Method tracedAtRest(Method method) {
+    std::get<FacadeMethod>(method.how).tracer = true;
+    method.name += "-traced";
+    method.label += " traced pixels";
     method.standard = kOnRequest;
     return method;
 }
@@ -143,8 +151,10 @@ const std::vector<Method>& benchMethods() {
         layeredCube(8, 16, 512, 1),
         layeredCube(16, 32, 256, 1, kOnRequest),
         layeredCube(16, 32, 512, 1),
-        withRepair(layeredCube(8, 16, 512, 1), true),
-        withRepair(layeredCube(16, 32, 512, 1), true),
+        tracedAtRest(layeredCube(8, 16, 512, 1)),
+        tracedAtRest(layeredCube(16, 32, 512, 1)),
+        moving(layeredCube(8, 16, 512, 1)),
+        moving(layeredCube(16, 32, 512, 1)),
         layeredCube(4, 8, 1024, 1, kOnRequest),
         layeredCube(8, 16, 1024, 1),
         layeredCube(16, 32, 1024, 1, kOnRequest),
@@ -156,7 +166,7 @@ const std::vector<Method>& benchMethods() {
         rayTracedCube(1024, 512),
         rayTracedCube(256, 1024),
         rayTracedCube(256, 512, 10),
-        withRepair(rayTracedCube(256, 512), false),
+        moving(rayTracedCube(256, 512)),
         horizonCube(16, 16, 256),
         horizonCube(16, 16, 512),
         horizonScreen(8, 8),

@@ -8,18 +8,23 @@
 
 namespace aolib::host {
 
+Status giveTracer(AmbientOcclusion& ao) {
+    auto tracer =
+        createTexelTracer(static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
+    if (tracer) {
+        ao.setTexelTracer(std::move(*tracer));
+    }
+    return tracer.status();
+}
+
 Result<AmbientOcclusion> createInstance(const ProcAddressLoader& loader, const Options& options) {
     Result<AmbientOcclusion> ao = AmbientOcclusion::create(loader, options);
     if (!ao) {
         return ao;
     }
-    // All cores: a tool waits for the result.
-    auto tracer =
-        createTexelTracer(static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
-    if (!tracer) {
-        return tracer.status();
+    if (Status status = giveTracer(*ao); !status) {
+        return status;
     }
-    ao->setTexelTracer(std::move(*tracer));
     return ao;
 }
 

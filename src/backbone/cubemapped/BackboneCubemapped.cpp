@@ -45,7 +45,6 @@ BackboneCubemapped::create(const BackboneContext& context) {
     then(backbone->projection_);
     then(backbone->survey_);
     then(backbone->sight_);
-    then(backbone->repair_);
     then(backbone->outlines_);
     if (status && context.options.estimator != Estimator::RayTraced) {
         status = backbone->schedule_.chooseSource(); // fails here rather than in a frame
@@ -128,8 +127,8 @@ void BackboneCubemapped::cubeMapGoes(CubeMapProjector& projector) {
 }
 
 void BackboneCubemapped::dropTracer() {
+    repair_.dropSource();
     schedule_.dropTracer();
-    repair_->restart();
     if (context_.options.estimator == Estimator::RayTraced) {
         markAllDirty();
     }
@@ -139,7 +138,7 @@ void BackboneCubemapped::dropTracer() {
 
 void BackboneCubemapped::cubeMapsChanged() {
     survey_->restart();
-    repair_->lookAgain();
+    repair_.lookAgain();
     latestSurvey_.reset();
 }
 
@@ -157,12 +156,16 @@ void BackboneCubemapped::optionsChanged(const Options& before) {
     }
     if (!sameEstimate(before, context_.options)) { // the radius is watched where it is used
         markAllDirty();
-        repair_->restart();
+        repair_.restart();
     }
 }
 
 Status BackboneCubemapped::followScene() {
     const std::vector<Scene::Change> changes = context_.scene.takeChanges();
+    if (!changes.empty()) {
+        schedule_.sceneChanged();
+        repair_.restart();
+    }
     if (context_.options.estimator == Estimator::RayTraced) {
         sceneGeometry_.forget(changes); // rays need no triangles on the GPU
     } else if (Status status = sceneGeometry_.update(context_.gl, context_.scene, changes,
@@ -171,15 +174,11 @@ Status BackboneCubemapped::followScene() {
         markAllDirty(); // the changes are taken and will not come again
         return status;
     }
-    if (!changes.empty()) {
-        schedule_.sceneChanged();
-        repair_->restart();
-    }
     const float reach = radius();
     if (reach != builtRadius_) {
         builtRadius_ = reach;
         markAllDirty();
-        repair_->restart();
+        repair_.restart();
     }
     for (const Scene::Change& change : changes) {
         // Receivers up to a radius away from the change see a difference.
@@ -265,7 +264,7 @@ Status BackboneCubemapped::prepare(const Frame& frame) {
         return status;
     }
     if (schedule_.begun() > 0) {
-        repair_->lookAgain();
+        repair_.lookAgain();
     }
     texelsComplete_ = true;
     for (CubeMapProjector* projector : used) {
@@ -278,28 +277,26 @@ Status BackboneCubemapped::prepare(const Frame& frame) {
 }
 
 Status BackboneCubemapped::repair(const Frame& frame) {
-    repair_->follow(frame);
-    TracerQueue* tracer = schedule_.tracer();
-    if (tracer == nullptr || projected_.empty()) {
-        repair_->restart();
-        converged_ = texelsComplete_;
-        return {};
-    }
-    if (!repair_->tracing()) {
-        tracer->drop(TracerQueue::Asker::Pixels); // the view has moved
-    }
+    repair_.follow(frame, projected_.empty() ? nullptr : schedule_.pixels());
     Status status;
-    if (texelsComplete_ && repair_->rests() && !repair_->done()) {
+    if (texelsComplete_ && repair_.rests() && !repair_.done()) {
         const double budget = schedule_.atOnce() ? HUGE_VAL : double{context_.options.frameBudget};
-        status = repair_->advance(context_, frame, host_, {cubeMaps_.store(), cubeMaps_.details()},
-                                  projected_, *tracer, radius(), budget);
+        const RestingView view{
+            .context = context_,
+            .frame = frame,
+            .host = host_,
+            .kept = {cubeMaps_.store(), cubeMaps_.details()},
+            .projectors = projected_,
+            .radius = radius(),
+        };
+        status = repair_.advance(view, budget);
     }
-    converged_ = texelsComplete_ && repair_->done();
+    converged_ = texelsComplete_ && repair_.done();
     return status;
 }
 
 KeptTexels BackboneCubemapped::kept() const {
-    return {cubeMaps_.store(), cubeMaps_.details(), repair_->repaired()};
+    return {cubeMaps_.store(), cubeMaps_.details(), repair_.repaired()};
 }
 
 bool BackboneCubemapped::shadesDirectly() const {
@@ -337,7 +334,7 @@ void BackboneCubemapped::addStatistics(Statistics& statistics) {
     statistics.cubeMapsBuilt = schedule_.begun();
     statistics.cubeMapsEvicted = cubeMaps_.evicted();
     statistics.converged = converged_;
-    statistics.pixelsTraced = repair_->pixels();
+    statistics.pixelsRepaired = repair_.pixels();
     TileProgress::Share sum;
     for (const CubeMapProjector* projector : projected_) {
         const TileProgress::Share share = projector->tiles.share(schedule_.passes());
@@ -347,7 +344,7 @@ void BackboneCubemapped::addStatistics(Statistics& statistics) {
     statistics.computed = sum.needed > 0
                               ? static_cast<float>(sum.done) / static_cast<float>(sum.needed)
                               : statistics.computed;
-    statistics.bytesFrame += projection_->bytes() + repair_->bytes();
+    statistics.bytesFrame += projection_->bytes() + repair_.bytes();
     statistics.bytesScene = sceneGeometry_.bytes();
     statistics.bytesKept = cubeMaps_.store().bytes();
     statistics.bytesBuilding = schedule_.bytes();

@@ -61,14 +61,14 @@ private:
     Status placeWhereDue(const Frame& frame);
     /// Takes the survey's answers: coverage, and what cube maps are asked for.
     void heedSurvey(const std::vector<CubeMapProjector*>& projectors);
-    /// Traces the pixels of a view at rest that complete cube maps do not tell.
+    /// Computes pixels of a view at rest whose cube maps are complete.
     Status repair(const Frame& frame);
     KeptTexels kept() const;
 
     SceneGeometry sceneGeometry_;
     CubeMaps cubeMaps_;
     BuildSchedule schedule_;
-    std::optional<ViewRepair> repair_;
+    ViewRepair repair_;
     std::optional<Projection> projection_;
     std::optional<Survey> survey_;
     std::optional<SightTest> sight_;

@@ -4,7 +4,8 @@
 #include <chrono>
 
 #include "backbone/Estimators.h"
-#include "backbone/cubemapped/RasterTexels.h"
+#include "backbone/cubemapped/LayeredPixels.h"
+#include "backbone/cubemapped/TracedPixels.h"
 
 namespace aolib {
 
@@ -16,9 +17,14 @@ constexpr int kFramesToComeIn = 32;
 
 } // namespace
 
-// ---- Where texels come from ---------------------------------------------------------------------
+// ---- Where texels and pixels come from ----------------------------------------------------------
 
 Status BuildSchedule::chooseSource() {
+    const Status status = chooseTexels();
+    return status ? choosePixels() : status;
+}
+
+Status BuildSchedule::chooseTexels() {
     if (context_.options.estimator == Estimator::RayTraced) {
         if (!context_.tracer) {
             return {StatusCode::MissingCapability,
@@ -45,11 +51,31 @@ Status BuildSchedule::chooseSource() {
             raster_ = std::move(*raster);
         }
         source_ = raster_.get();
+    }
+    passes_ = source_->passes();
+    return {};
+}
+
+Status BuildSchedule::choosePixels() {
+    pixels_ = nullptr;
+    std::unique_ptr<AbstractPixelSource>& wanted = tracesPixels() ? tracedPixels_ : layeredPixels_;
+    const bool layered = context_.options.estimator == Estimator::LayeredIntervals &&
+                         !context_.scene.meshes().empty() && !context_.renderer;
+    if (!context_.options.cubeMaps.repair || !(tracesPixels() || layered)) {
+        return {};
+    }
+    if (!wanted) {
         if (tracesPixels()) {
             askTracer();
         }
+        auto made = tracesPixels() ? TracedPixels::create(context_, *tracerQueue_)
+                                   : LayeredPixels::create(context_, geometry_, raster_->shading());
+        if (!made) {
+            return made.status();
+        }
+        wanted = std::move(*made);
     }
-    passes_ = source_->passes();
+    pixels_ = wanted.get();
     return {};
 }
 
@@ -63,8 +89,7 @@ void BuildSchedule::askTracer() {
 bool BuildSchedule::tracesPixels() const {
     const Options& options = context_.options;
     const bool layered = options.estimator == Estimator::LayeredIntervals;
-    return options.rayTraced.repair && context_.tracer && !context_.scene.meshes().empty() &&
-           !context_.renderer &&
+    return context_.tracer && !context_.scene.meshes().empty() && !context_.renderer &&
            (options.estimator == Estimator::RayTraced || (layered && raysTell(context_.scene)));
 }
 
@@ -79,7 +104,9 @@ void BuildSchedule::sceneChanged() {
 
 void BuildSchedule::dropTracer() {
     source_ = nullptr;
+    pixels_ = nullptr;
     traced_.reset();
+    tracedPixels_.reset();
     tracerQueue_.reset();
 }
 

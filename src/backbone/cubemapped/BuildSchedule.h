@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "backbone/SceneGeometry.h"
+#include "backbone/cubemapped/AbstractPixelSource.h"
+#include "backbone/cubemapped/RasterTexels.h"
 #include "backbone/cubemapped/RayTracedTexels.h"
 
 namespace aolib {
@@ -19,15 +21,15 @@ public:
         : context_(context), geometry_(geometry), store_(store), details_(details),
           radius_(std::move(radius)) {}
 
-    /// Makes the source that the options' estimator takes its texels from.
+    /// Makes the sources that the options' estimator takes its texels and pixels from.
     /// Errors: ShaderError, OutOfMemory, MissingCapability.
     Status chooseSource();
     /// The scene is another.
     void sceneChanged();
     /// The tracer is about to be exchanged.
     void dropTracer();
-    /// What asks the tracer for pixels of views at rest; null where they are not to be traced.
-    TracerQueue* tracer() const { return tracesPixels() ? tracerQueue_.get() : nullptr; }
+    /// What computes the pixels of views at rest; null where texels have to do.
+    AbstractPixelSource* pixels() const { return pixels_; }
     /// Drops what is held for a cube map on its way.
     void forget(CubeMapId id);
     /// Whether a cube map is about to look at the scene, over several frames.
@@ -49,6 +51,8 @@ public:
     std::size_t bytes() const { return raster_ ? raster_->bytes() : 0; }
 
 private:
+    Status chooseTexels();
+    Status choosePixels();
     void askTracer();
     bool tracesPixels() const;
     void begin(CubeMapProjector& projector);
@@ -60,10 +64,13 @@ private:
     FaceStore& store_;
     DetailStore& details_;
     std::function<float()> radius_;
-    std::unique_ptr<AbstractTexelSource> raster_;
+    std::unique_ptr<RasterTexels> raster_;
     std::unique_ptr<TracerQueue> tracerQueue_;
     std::unique_ptr<RayTracedTexels> traced_;
     AbstractTexelSource* source_ = nullptr; ///< the one in use
+    std::unique_ptr<AbstractPixelSource> tracedPixels_;
+    std::unique_ptr<AbstractPixelSource> layeredPixels_;
+    AbstractPixelSource* pixels_ = nullptr; ///< the one in use
     int passes_ = 1;
     int begun_ = 0;
 };

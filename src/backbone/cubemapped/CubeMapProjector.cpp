@@ -12,11 +12,6 @@
 
 namespace aolib {
 
-glm::mat3 cubeToFace(int face) {
-    return glm::transpose(
-        glm::mat3(shared::faceRight(face), shared::faceUp(face), shared::faceForward(face)));
-}
-
 Result<CubeMapProjector> CubeMapProjector::create(const gl::Functions& gl, CubeMapId id,
                                                   const glm::vec3& position, int faceSize) {
     auto timer = gl::GpuTimer::create(gl);

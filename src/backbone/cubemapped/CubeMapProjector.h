@@ -96,7 +96,4 @@ private:
     std::array<int, kFaces> layers_{kNoLayer, kNoLayer, kNoLayer, kNoLayer, kNoLayer, kNoLayer};
 };
 
-/// World axes to a face's: right, up, forward.
-glm::mat3 cubeToFace(int face);
-
 } // namespace aolib

@@ -60,9 +60,10 @@ Status DeferredShading::chooseEstimator(const BackboneContext& context) {
 
 // ---- Capture ------------------------------------------------------------------------------------
 
-Result<CubeMapCapture> DeferredShading::begin(const BackboneContext& context,
-                                              const SceneGeometry& geometry,
-                                              CubeMapProjector& projector, FaceStore& store) {
+Result<DeferredShading::Surroundings>
+DeferredShading::surroundings(const BackboneContext& context, const SceneGeometry& geometry,
+                              const glm::dvec3& centre, int faceSize,
+                              const std::optional<ViewFace>& view) {
     if (context.scene.empty()) {
         return Status(StatusCode::NoScene,
                       "there are no triangles to place a cube map among; describe a mesh first");
@@ -71,26 +72,36 @@ Result<CubeMapCapture> DeferredShading::begin(const BackboneContext& context,
         return status;
     }
     const bool layered = traitsOf(*estimator_).layered;
+    const glm::vec3 position(centre);
     if (context.renderer) {
         if (Status status = drawn_.build(context, layered); !status) {
             return status;
         }
+        const DistanceRange range = DrawnCapture::distanceRange(context.scene, position);
+        return Surroundings{
+            std::make_unique<DrawnCapture>(context, position, faceSize, range, drawn_, layered),
+            range};
     }
-    const DistanceRange range =
-        context.renderer ? DrawnCapture::distanceRange(context.scene, projector.position())
-                         : distanceRange(context.scene, projector.position());
-    projector.spanDistances(store, range.nearest, range.farthest);
-    const FaceCapture faces(context, geometry, projector, range);
+    const DistanceRange range = distanceRange(context.scene, position);
+    const FaceCapture faces(context, geometry, centre, faceSize, range, view);
+    if (layered) {
+        return Surroundings{std::make_unique<LayerCapture>(context, geometry, faces, peeling_,
+                                                           context.options.layeredIntervals.layers),
+                            range};
+    }
+    return Surroundings{std::make_unique<NearestCapture>(context, faces, capture_), range};
+}
+
+Result<CubeMapCapture> DeferredShading::begin(const BackboneContext& context,
+                                              const SceneGeometry& geometry,
+                                              CubeMapProjector& projector, FaceStore& store) {
+    auto around = surroundings(context, geometry, projector.position(), projector.tiles.faceSize());
+    if (!around) {
+        return around.status();
+    }
+    projector.spanDistances(store, around->range.nearest, around->range.farthest);
     CubeMapCapture capture;
-    if (context.renderer) {
-        capture.geometry =
-            std::make_unique<DrawnCapture>(context, projector, range, drawn_, layered);
-    } else if (layered) {
-        capture.geometry = std::make_unique<LayerCapture>(context, geometry, faces, peeling_,
-                                                          context.options.layeredIntervals.layers);
-    } else {
-        capture.geometry = std::make_unique<NearestCapture>(context, faces, capture_);
-    }
+    capture.geometry = std::move(around->capture);
     return capture;
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "backbone/cubemapped/AbstractCapture.h"
+#include "backbone/cubemapped/CubeMapProjector.h"
 #include "backbone/cubemapped/DrawnCapture.h"
 #include "backbone/cubemapped/LayerPeeling.h"
 
@@ -31,6 +32,17 @@ public:
 
     /// Passes until the options' estimate is complete.
     static int passes(const Options& options);
+
+    /// What the options' estimator reads of the surroundings of a point, not captured yet.
+    struct Surroundings {
+        std::unique_ptr<AbstractCapture> capture;
+        DistanceRange range; ///< of what is there
+    };
+    /// @param context  outlives it. Errors: NoScene, ShaderError.
+    /// @param view     seen from there, too: of layers of triangles
+    Result<Surroundings> surroundings(const BackboneContext& context, const SceneGeometry& geometry,
+                                      const glm::dvec3& centre, int faceSize,
+                                      const std::optional<ViewFace>& view = {});
 
     /// Begins a capture. Errors: NoScene, ShaderError. @param context  outlives it.
     Result<CubeMapCapture> begin(const BackboneContext& context, const SceneGeometry& geometry,

@@ -70,8 +70,8 @@ std::size_t DrawnCapture::bytes() const {
 Status DrawnCapture::makeTargets() {
     Status status;
     if (asIntervals_) {
-        auto made = gl::TextureStack::create(context_.gl, {.width = size(),
-                                                           .height = size(),
+        auto made = gl::TextureStack::create(context_.gl, {.width = size_,
+                                                           .height = size_,
                                                            .layers = kFaces,
                                                            .format = Format::RGBA32F,
                                                            .label = "aolib/layers"});
@@ -80,8 +80,8 @@ Status DrawnCapture::makeTargets() {
             intervals_ = std::move(*made);
         }
     } else {
-        auto made = gl::RenderToTexture2D::create(context_.gl, {.width = kFaces * size(),
-                                                                .height = size(),
+        auto made = gl::RenderToTexture2D::create(context_.gl, {.width = kFaces * size_,
+                                                                .height = size_,
                                                                 .targets = {Format::RGBA32F},
                                                                 .label = "aolib/capture"});
         status = made.status();
@@ -96,8 +96,8 @@ Status DrawnCapture::makeTargets() {
         return status;
     }
     auto depth =
-        gl::RenderToTexture2D::create(context_.gl, {.width = size(),
-                                                    .height = size(),
+        gl::RenderToTexture2D::create(context_.gl, {.width = size_,
+                                                    .height = size_,
                                                     .targets = {},
                                                     .depth = gl::RenderToTexture2D::Depth::Depth32F,
                                                     .label = "aolib/drawn"});
@@ -132,13 +132,13 @@ Status DrawnCapture::convertFace(const FaceView& view) {
     if (!camera) {
         return camera.status();
     }
-    const glm::ivec2 origin(asIntervals_ ? 0 : face_ * size(), 0);
+    const glm::ivec2 origin(asIntervals_ ? 0 : face_ * size_, 0);
     if (asIntervals_) {
         intervals_.begin(face_);
     } else {
         nearest_.beginAll();
     }
-    context_.gl.Viewport(origin.x, origin.y, size(), size());
+    context_.gl.Viewport(origin.x, origin.y, size_, size_);
     shader_.bind();
     depth_.bindDepthTexture(0);
     shader_.set("uDepth", 0);
@@ -156,8 +156,8 @@ Status DrawnCapture::step() {
     if (!depth_) {
         return makeTargets();
     }
-    if (reachesFace(context_.scene.bounds(), projector_.position(), face_)) {
-        const FaceView view = viewOf(projector_.position(), face_, size(), range_);
+    if (reachesFace(context_.scene.bounds(), centre_, face_)) {
+        const FaceView view = viewOf(centre_, face_, size_, range_);
         Status status = drawFace(view);
         if (status) {
             status = convertFace(view);
@@ -188,7 +188,7 @@ void DrawnCapture::bind(gl::GLSLShader& shader) const {
         nearest_.bindTexture(0, 0);
         shader.set("uGeometry", 0);
     }
-    shader.set("uFaceSize", size());
+    shader.set("uFaceSize", size_);
 }
 
 } // namespace aolib

@@ -27,9 +27,9 @@ public:
 
     /// @param shaders      the form is built; outlives the capture.
     /// @param asIntervals  solid intervals of the assumed thickness; else the surface alone.
-    DrawnCapture(const BackboneContext& context, const CubeMapProjector& projector,
+    DrawnCapture(const BackboneContext& context, const glm::vec3& centre, int size,
                  const DistanceRange& range, Shaders& shaders, bool asIntervals)
-        : context_(context), projector_(projector), range_(range),
+        : context_(context), centre_(centre), size_(size), range_(range),
           shader_(asIntervals ? *shaders.intervals : *shaders.nearest), asIntervals_(asIntervals) {}
 
     bool complete() const override { return face_ == kFaces; }
@@ -43,13 +43,13 @@ public:
     std::size_t mostBytes() const override { return mostBytes_; }
 
 private:
-    int size() const { return projector_.tiles.faceSize(); }
     Status makeTargets();
     Status drawFace(const FaceView& view) const;
     Status convertFace(const FaceView& view);
 
     const BackboneContext& context_;
-    const CubeMapProjector& projector_;
+    const glm::vec3 centre_;
+    const int size_; ///< texels along a face's edge
     const DistanceRange range_;
     gl::GLSLShader& shader_;
     const bool asIntervals_;

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numbers>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+
+#include "shared/cube_faces.h"
 
 namespace aolib {
 
@@ -23,9 +26,9 @@ float farthestCorner(const Bounds& box, const glm::vec3& from) {
 }
 
 /// Model to the cube's frame: world axes, origin at its centre. The subtraction is done in double.
-glm::mat4 modelToCube(const glm::mat4& model, const glm::vec3& centre) {
+glm::mat4 modelToCube(const glm::mat4& model, const glm::dvec3& centre) {
     glm::dmat4 m(model);
-    m[3] -= glm::dvec4(glm::dvec3(centre), 0.0);
+    m[3] -= glm::dvec4(centre, 0.0);
     return glm::mat4(m);
 }
 
@@ -35,16 +38,14 @@ glm::mat3 normalMatrix(const glm::mat4& model) {
     return determinant != 0.0 ? glm::mat3(glm::transpose(glm::inverse(m))) : glm::mat3(m);
 }
 
-} // namespace
-
-bool reachesFace(const Bounds& box, const glm::vec3& centre, int face) {
-    const glm::mat3 toFace = cubeToFace(face);
+/// Whether a box reaches into a frustum, as ViewFace has it.
+bool reaches(const Bounds& box, const glm::dvec3& centre, const glm::mat3& frustum) {
     std::array<bool, 5> allOutside{true, true, true, true, true};
     for (int corner = 0; corner < 8; ++corner) {
-        const glm::vec3 p{(corner & 1) != 0 ? box.max.x : box.min.x,
-                          (corner & 2) != 0 ? box.max.y : box.min.y,
-                          (corner & 4) != 0 ? box.max.z : box.min.z};
-        const glm::vec3 v = toFace * (p - centre);
+        const glm::dvec3 p{(corner & 1) != 0 ? box.max.x : box.min.x,
+                           (corner & 2) != 0 ? box.max.y : box.min.y,
+                           (corner & 4) != 0 ? box.max.z : box.min.z};
+        const glm::vec3 v = frustum * glm::vec3(p - centre);
         const std::array<bool, 5> outside{v.z <= 0.0F, v.x > v.z, v.x<-v.z, v.y> v.z, v.y < -v.z};
         for (std::size_t i = 0; i < outside.size(); ++i) {
             allOutside[i] = allOutside[i] && outside[i];
@@ -58,6 +59,17 @@ bool reachesFace(const Bounds& box, const glm::vec3& centre, int face) {
     return true;
 }
 
+} // namespace
+
+glm::mat3 cubeToFace(int face) {
+    return glm::transpose(
+        glm::mat3(shared::faceRight(face), shared::faceUp(face), shared::faceForward(face)));
+}
+
+bool reachesFace(const Bounds& box, const glm::dvec3& centre, int face) {
+    return reaches(box, centre, cubeToFace(face));
+}
+
 DistanceRange distanceRange(const Scene& scene, const glm::vec3& centre) {
     const float farthest = farthestCorner(scene.bounds(), centre);
     const float clearance = scene.clearance(centre).distance;
@@ -65,23 +77,45 @@ DistanceRange distanceRange(const Scene& scene, const glm::vec3& centre) {
             farthest * (1.0F + kRangeSlack)};
 }
 
+ViewFace ViewFace::of(const HostCamera& camera, const glm::ivec2& size,
+                      const ClipConvention& clip) {
+    const glm::dmat4& p = camera.projection();
+    const double scale = std::abs(p[2][3]);
+    const double sign = p[2][3] < 0.0 ? 1.0 : -1.0; // of clip w before the eye
+    const double flip = clip.upperLeft ? -sign : sign;
+    const glm::dmat3 rows(sign * glm::dvec3(p[0][0], p[1][0], p[2][0]),
+                          flip * glm::dvec3(p[0][1], p[1][1], p[2][1]),
+                          sign * glm::dvec3(p[0][3], p[1][3], p[2][3]));
+    // Least in the farthest corner.
+    const double x = (scale + std::abs(p[2][0])) / std::abs(p[0][0]);
+    const double y = (scale + std::abs(p[2][1])) / std::abs(p[1][1]);
+    return {.frustum = glm::mat3(glm::transpose(camera.eyeToWorld() * rows)),
+            .leastClip = static_cast<float>(scale / std::sqrt(x * x + y * y + 1.0)),
+            .size = size};
+}
+
 bool FaceCapture::draw(gl::GLSLShader& shader, int face) const {
     const gl::Functions& gl = context_.gl;
-    const float near = range_.nearest / std::numbers::sqrt3_v<float>;
+    const glm::mat3 frustum = face < kFaces ? cubeToFace(face) : view_->frustum;
+    const float leastClip = face < kFaces ? 1.0F / std::numbers::sqrt3_v<float> : view_->leastClip;
+    // Right, up and forward are left-handed, unless the host draws upside down.
+    const bool mirrored = glm::determinant(frustum) > 0.0F;
+    const float near = leastClip * range_.nearest;
     // Without a far plane: what lies far away must not round the depth of what lies near.
     shader.set("uDepthMap", glm::vec2(1.0F, -2.0F * near));
-    shader.set("uCubeToFace", cubeToFace(face));
+    shader.set("uCubeToFace", frustum);
     gl.Enable(GL_DEPTH_TEST);
     bool drawn = false;
     for (const auto& [id, mesh] : context_.scene.meshes()) {
-        if (!reachesFace(mesh.worldBounds(), centre(), face)) {
+        if (!reaches(mesh.worldBounds(), centre_, frustum)) {
             continue;
         }
         const SceneGeometry::Piece& piece = geometry_.piece(id);
-        shader.set("uModelToCube", modelToCube(mesh.transform, centre()));
+        shader.set("uModelToCube", modelToCube(mesh.transform, centre_));
         shader.set("uNormalMatrix", normalMatrix(mesh.transform));
         shader.set("uHasNormals", piece.triangles.hasNormals() ? 1 : 0);
-        shader.set("uMirrored", glm::determinant(glm::mat3(mesh.transform)) < 0.0F ? 1 : 0);
+        const bool turned = glm::determinant(glm::mat3(mesh.transform)) < 0.0F;
+        shader.set("uMirrored", turned != mirrored ? 1 : 0);
         shader.set("uFirstSolid", static_cast<float>(piece.firstSolid));
         piece.triangles.drawTriangles();
         drawn = true;

@@ -1,7 +1,13 @@
 #pragma once
 
+#include <optional>
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
+
+#include "backbone/Frame.h"
 #include "backbone/SceneGeometry.h"
-#include "backbone/cubemapped/CubeMapProjector.h"
+#include "backbone/cubemapped/TileProgress.h"
 
 namespace aolib {
 
@@ -14,30 +20,60 @@ struct DistanceRange {
 /// The range of the scene as seen from `centre`, with a little room to both sides.
 DistanceRange distanceRange(const Scene& scene, const glm::vec3& centre);
 
-/// Whether a box reaches into the frustum of a face. May say yes to a box just outside.
-bool reachesFace(const Bounds& box, const glm::vec3& centre, int face);
+/// World axes to a face's: right, up, forward.
+glm::mat3 cubeToFace(int face);
 
-/// Draws the scene as the faces of a cube map see it, with the shader that is bound. The near plane
-/// lies just within the distance to the nearest triangle: none is clipped, and the depth buffer's
+/// Whether a box reaches into the frustum of a face. May say yes to a box just outside.
+bool reachesFace(const Bounds& box, const glm::dvec3& centre, int face);
+
+/// What a camera sees of a cube map's surroundings: one more face beside those of the cube, finer
+/// than they are.
+struct ViewFace {
+    static constexpr int kNumber = kFaces;
+
+    /// Rows x, y and w of clip space, of directions in world axes.
+    glm::mat3 frustum{1.0F};
+    float leastClip = 1.0F; ///< clip w per world unit of distance, at least
+    glm::ivec2 size{0};     ///< texels, which are the view's pixels
+
+    /// Only of a perspective camera.
+    static ViewFace of(const HostCamera& camera, const glm::ivec2& size,
+                       const ClipConvention& clip);
+};
+
+/// Draws the scene as it is seen from a point, with the shader that is bound. The near plane lies
+/// just within the distance to the nearest triangle: none is clipped, and the depth buffer's
 /// precision goes where geometry is.
 class FaceCapture {
 public:
+    /// @param size  texels along a face's edge
+    /// @param view  from the same centre, if there is one
     FaceCapture(const BackboneContext& context, const SceneGeometry& geometry,
-                const CubeMapProjector& projector, const DistanceRange& range)
-        : context_(context), geometry_(geometry), projector_(projector), range_(range) {}
+                const glm::dvec3& centre, int size, const DistanceRange& range,
+                const std::optional<ViewFace>& view = {})
+        : context_(context), geometry_(geometry), centre_(centre), size_(size), range_(range),
+          view_(view) {}
 
-    /// Draws what lies before a face into the viewport, with depth test.
+    /// Draws what lies before a face, or the view's, into the viewport, with depth test.
     /// @return whether there is anything.
     bool draw(gl::GLSLShader& shader, int face) const;
 
-    int size() const { return projector_.tiles.faceSize(); }
-    const glm::vec3& centre() const { return projector_.position(); }
+    /// With that of the view.
+    int faces() const { return kFaces + (view_ ? 1 : 0); }
+    /// Texels along the edge of a face of the cube.
+    int size() const { return size_; }
+    /// Texels of any face.
+    glm::ivec2 size(int face) const { return face < kFaces ? glm::ivec2(size_) : view_->size; }
+    const glm::dvec3& centre() const { return centre_; }
+    const std::optional<ViewFace>& view() const { return view_; }
 
 private:
     const BackboneContext& context_;
     const SceneGeometry& geometry_;
-    const CubeMapProjector& projector_;
-    DistanceRange range_;
+    const glm::dvec3 centre_;
+    const int size_;
+    const DistanceRange range_;
+    const std::optional<ViewFace> view_;
 };
 
 } // namespace aolib

@@ -5,6 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include <glm/matrix.hpp>
+
 #include "gl/Label.h"
 
 namespace aolib {
@@ -17,6 +19,7 @@ using Depth = gl::RenderToTexture2D::Depth;
 /// A sheet shows one side when the other fills at most this share of its texels: cracks let a back
 /// through here and there.
 constexpr double kShareOfCracks = 0.02;
+constexpr int kViewUnit = 3; ///< texture unit of the view's layers
 
 Status notShown() {
     return {StatusCode::OutOfMemory, "aolib/peel: GL does not show what was read back"};
@@ -25,8 +28,11 @@ Status notShown() {
 } // namespace
 
 std::size_t LayerCapture::Targets::bytes() const {
-    return entries[0].bytes() + entries[1].bytes() + exits.bytes() + counts.bytes() +
-           kFaces * readbacks[0].bytes();
+    std::size_t sum = entries[0].bytes() + entries[1].bytes() + exits.bytes() + counts.bytes();
+    for (const gl::PixelReadback& readback : readbacks) {
+        sum += readback.bytes();
+    }
+    return sum;
 }
 
 WorkUnit LayerCapture::next() const {
@@ -48,7 +54,8 @@ bool LayerCapture::waits() const {
     if (stage_ != Stage::ReadSides && stage_ != Stage::ReadCounts) {
         return false;
     }
-    const gl::PixelReadback& readback = targets_->readbacks[at()];
+    const Targets& targets = (*targets_)[sizeOf(face_)];
+    const gl::PixelReadback& readback = targets.readbacks[face_ < kFaces ? at() : 0];
     return readback.pending() && !readback.arrived();
 }
 
@@ -90,22 +97,32 @@ Status LayerCapture::step() {
 }
 
 void LayerCapture::nextFace() {
-    if (++face_ == kFaces) {
+    if (++face_ == faces_.faces()) {
         face_ = 0;
         stage_ = static_cast<Stage>(static_cast<int>(stage_) + 1);
     }
 }
 
 Status LayerCapture::makeTargets() {
-    Targets& made = targets_.emplace();
+    targets_.emplace();
+    Status status = makeTargets((*targets_)[0], glm::ivec2(faces_.size()), kFaces);
+    if (status && faces_.view()) {
+        status = makeTargets((*targets_)[1], faces_.view()->size, 1);
+    }
+    marks_.around = geometry_.solidsAround(context_.scene, glm::vec3(faces_.centre()));
+    marks_.around.resize(std::min(marks_.around.size(), LayerPeeling::kMostAround));
+    return status;
+}
+
+Status LayerCapture::makeTargets(Targets& made, const glm::ivec2& size, std::size_t faces) const {
     Status status;
     const auto make = [&](gl::RenderToTexture2D& target, Format format, Depth depth,
                           const char* label) {
         if (!status) {
             return;
         }
-        auto created = gl::RenderToTexture2D::create(context_.gl, {.width = faces_.size(),
-                                                                   .height = faces_.size(),
+        auto created = gl::RenderToTexture2D::create(context_.gl, {.width = size.x,
+                                                                   .height = size.y,
                                                                    .targets = {format},
                                                                    .depth = depth,
                                                                    .label = label});
@@ -118,35 +135,31 @@ Status LayerCapture::makeTargets() {
     make(made.entries[1], Format::RGBA32F, Depth::Depth32F, "aolib/peel/entry1");
     make(made.exits, Format::R32F, Depth::Depth32F, "aolib/peel/exit");
     make(made.counts, Format::R8, Depth::None, "aolib/peel/count");
-    const auto texels = static_cast<std::size_t>(faces_.size() * faces_.size());
-    for (gl::PixelReadback& readback : made.readbacks) {
-        if (status) {
-            auto created = gl::PixelReadback::create(context_.gl, texels * sizeof(float),
-                                                     "aolib/peel/readback");
-            status = created.status();
-            if (created) {
-                readback = std::move(*created);
-            }
+    const auto texels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+    while (status && made.readbacks.size() < faces) {
+        auto created =
+            gl::PixelReadback::create(context_.gl, texels * sizeof(float), "aolib/peel/readback");
+        status = created.status();
+        if (created) {
+            made.readbacks.push_back(std::move(*created));
         }
     }
-    marks_.around = geometry_.solidsAround(context_.scene, faces_.centre());
-    marks_.around.resize(std::min(marks_.around.size(), LayerPeeling::kMostAround));
     return status;
 }
 
 // ---- Which faces hold geometry, and the sheets of which not only the fronts show ----------------
 
 void LayerCapture::drawSides() {
-    if (peeling_.drawSides(faces_, face_, targets_->exits)) {
-        targets_->exits.beginRead(0);
-        targets_->readbacks[at()].start(faces_.size(), faces_.size(), GL_RED, GL_FLOAT);
+    const gl::RenderToTexture2D& sides = targets().exits;
+    if (peeling_.drawSides(faces_, face_, sides)) {
+        sides.beginRead(0);
+        readback().start(sides.width(), sides.height(), GL_RED, GL_FLOAT);
     }
     nextFace();
 }
 
 Status LayerCapture::readSides() {
-    gl::PixelReadback& readback = targets_->readbacks[at()];
-    if (readback.pending() && !readback.finish([&](std::span<const std::uint8_t> bytes) {
+    if (readback().pending() && !readback().finish([&](std::span<const std::uint8_t> bytes) {
             std::vector<float> texels(bytes.size() / sizeof(float));
             std::memcpy(texels.data(), bytes.data(), bytes.size());
             for (const float texel : texels) {
@@ -190,16 +203,16 @@ std::vector<float> LayerCapture::unusualSheets() const {
 
 void LayerCapture::drawCount() {
     if (counts_[at()] > 0) {
-        peeling_.drawCounts(faces_, face_, marks_, targets_->counts);
-        targets_->counts.beginRead(0);
-        targets_->readbacks[at()].start(faces_.size(), faces_.size(), GL_RED, GL_UNSIGNED_BYTE);
+        const gl::RenderToTexture2D& counts = targets().counts;
+        peeling_.drawCounts(faces_, face_, marks_, counts);
+        counts.beginRead(0);
+        readback().start(counts.width(), counts.height(), GL_RED, GL_UNSIGNED_BYTE);
     }
     nextFace();
 }
 
 Status LayerCapture::readCount() {
-    gl::PixelReadback& readback = targets_->readbacks[at()];
-    if (readback.pending() && !readback.finish([&](std::span<const std::uint8_t> bytes) {
+    if (readback().pending() && !readback().finish([&](std::span<const std::uint8_t> bytes) {
             const auto texels = bytes.first(bytes.size() / sizeof(float));
             const int deepest = *std::max_element(texels.begin(), texels.end());
             counts_[at()] = std::clamp(deepest, 1, most_);
@@ -211,16 +224,24 @@ Status LayerCapture::readCount() {
 }
 
 Status LayerCapture::makeLayers() {
-    const int all = std::accumulate(counts_.begin(), counts_.end(), 0);
-    auto made = gl::TextureStack::create(context_.gl, {.width = faces_.size(),
-                                                       .height = faces_.size(),
-                                                       .layers = std::max(all, 1),
-                                                       .format = Format::RGBA32F,
-                                                       .label = "aolib/layers"});
-    if (made) {
-        intervals_ = std::move(*made);
+    const std::array<int, 2> wanted{firstLayer(kFaces), counts_.back()};
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        const glm::ivec2 size =
+            i == 0 || !faces_.view() ? glm::ivec2(faces_.size()) : faces_.view()->size;
+        if (i > 0 && wanted[i] == 0) {
+            break;
+        }
+        auto made = gl::TextureStack::create(context_.gl, {.width = size.x,
+                                                           .height = size.y,
+                                                           .layers = std::max(wanted[i], 1),
+                                                           .format = Format::RGBA32F,
+                                                           .label = "aolib/layers"});
+        if (!made) {
+            return made.status();
+        }
+        intervals_[i] = std::move(*made);
     }
-    return made.status();
+    return {};
 }
 
 // ---- Layers -------------------------------------------------------------------------------------
@@ -230,17 +251,18 @@ void LayerCapture::peel() {
         nextFace();
         return;
     }
-    const auto& entries = targets_->entries[static_cast<std::size_t>(layer_ % 2)];
-    const auto& previous = targets_->entries[static_cast<std::size_t>(1 - layer_ % 2)];
+    const auto& entries = targets().entries[static_cast<std::size_t>(layer_ % 2)];
+    const auto& previous = targets().entries[static_cast<std::size_t>(1 - layer_ % 2)];
+    const auto& exits = targets().exits;
     if (!entered_) {
-        peeling_.peelEntries(faces_, face_, marks_, layer_ > 0 ? &previous : nullptr,
-                             targets_->exits, entries);
+        peeling_.peelEntries(faces_, face_, marks_, layer_ > 0 ? &previous : nullptr, exits,
+                             entries);
         entered_ = true;
         return;
     }
-    peeling_.peelExits(faces_, face_, marks_, entries, targets_->exits);
-    intervals_.begin(firstLayer(face_) + layer_);
-    peeling_.pack(context_, entries, targets_->exits);
+    peeling_.peelExits(faces_, face_, marks_, entries, exits);
+    intervals_[sizeOf(face_)].begin((face_ < kFaces ? firstLayer(face_) : 0) + layer_);
+    peeling_.pack(context_, entries, exits);
     entered_ = false;
     if (++layer_ == counts_[at()]) {
         layer_ = 0;
@@ -262,8 +284,16 @@ void LayerCapture::bind(gl::GLSLShader& shader) const {
         const auto i = static_cast<std::size_t>(face);
         faceLayers[i] = {firstLayer(face), counts_[i], 0, 0};
     }
-    intervals_.bind(0);
+    intervals_[0].bind(0);
     shader.set("uIntervals", 0);
+    if (const std::optional<ViewFace>& view = faces_.view()) {
+        // Samplers must not lack a texture even where no layer is read.
+        intervals_[counts_.back() > 0 ? 1 : 0].bind(kViewUnit);
+        shader.set("uViewIntervals", kViewUnit);
+        shader.set("uViewLayers", counts_.back());
+        shader.set("uFrustum", view->frustum);
+        shader.set("uFrustumRays", glm::inverse(view->frustum));
+    }
     shader.set("uFaceLayers", faceLayers);
     shader.set("uLayers", layers());
     shader.set("uFaceSize", faces_.size());
@@ -271,13 +301,14 @@ void LayerCapture::bind(gl::GLSLShader& shader) const {
 
 std::array<bool, kFaces> LayerCapture::modelled() const {
     std::array<bool, kFaces> modelled{};
-    std::transform(counts_.begin(), counts_.end(), modelled.begin(),
+    std::transform(counts_.begin(), counts_.begin() + kFaces, modelled.begin(),
                    [](int count) { return count > 0; });
     return modelled;
 }
 
 std::size_t LayerCapture::bytes() const {
-    return intervals_.bytes() + (targets_ ? targets_->bytes() : 0);
+    return intervals_[0].bytes() + intervals_[1].bytes() +
+           (targets_ ? (*targets_)[0].bytes() + (*targets_)[1].bytes() : 0);
 }
 
 } // namespace aolib

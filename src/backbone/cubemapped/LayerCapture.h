@@ -12,8 +12,8 @@
 namespace aolib {
 
 /// Layers of solid intervals [entry, exit] along each texel's ray, nearest first. The intervals are
-/// counted before, so that no more layers are made than there are. Faces are peeled one after the
-/// other; a unit is one pass over one of them.
+/// counted before, so that no more layers are made than there are. Faces, and the view if there is
+/// one, are peeled one after the other; a unit is one pass over one of them.
 class LayerCapture final : public AbstractCapture {
 public:
     static constexpr int kMostLayers = 8;
@@ -46,12 +46,19 @@ private:
         std::array<gl::RenderToTexture2D, 2> entries; ///< distance, solid, octahedral normal
         gl::RenderToTexture2D exits;
         gl::RenderToTexture2D counts;
-        std::array<gl::PixelReadback, kFaces> readbacks;
+        std::vector<gl::PixelReadback> readbacks; ///< of each face of this size
 
         std::size_t bytes() const;
     };
 
+    static constexpr std::size_t kAll = kFaces + 1; ///< faces, the view's last
+    /// Faces of the cube, and the view's, have targets and layers of their own size.
+    static std::size_t sizeOf(int face) { return face < kFaces ? 0 : 1; }
+
     Status makeTargets();
+    Status makeTargets(Targets& made, const glm::ivec2& size, std::size_t faces) const;
+    Targets& targets() { return (*targets_)[sizeOf(face_)]; }
+    gl::PixelReadback& readback() { return targets().readbacks[face_ < kFaces ? at() : 0]; }
     void drawSides();
     Status readSides();
     void drawCount();
@@ -75,11 +82,12 @@ private:
     int face_ = 0;
     int layer_ = 0;
     bool entered_ = false; ///< the layer's entries are peeled, its exits are not
-    std::optional<Targets> targets_;
+    std::optional<std::array<Targets, 2>> targets_;
     std::map<int, Sides> seen_; ///< of each sheet
     LayerPeeling::Marks marks_;
-    std::array<int, kFaces> counts_{}; ///< intervals along a ray, at most; 0 without geometry
-    gl::TextureStack intervals_;       ///< entry (-1 none), exit, octahedral normal: each face's
+    std::array<int, kAll> counts_{}; ///< intervals along a ray, at most; 0 without geometry
+    /// Entry (-1 none), exit, octahedral normal: each face's, and the view's.
+    std::array<gl::TextureStack, 2> intervals_;
     std::size_t mostBytes_ = 0;
 };
 

@@ -15,10 +15,10 @@ constexpr int kFirstPasses = 2;
 
 } // namespace
 
-Result<std::unique_ptr<AbstractTexelSource>> RasterTexels::create(const BackboneContext& context,
-                                                                  const SceneGeometry& geometry,
-                                                                  FaceStore& store,
-                                                                  std::function<float()> radius) {
+Result<std::unique_ptr<RasterTexels>> RasterTexels::create(const BackboneContext& context,
+                                                           const SceneGeometry& geometry,
+                                                           FaceStore& store,
+                                                           std::function<float()> radius) {
     std::unique_ptr<RasterTexels> texels(
         new RasterTexels(context, geometry, store, std::move(radius)));
     auto shading = DeferredShading::create(context);
@@ -31,7 +31,7 @@ Result<std::unique_ptr<AbstractTexelSource>> RasterTexels::create(const Backbone
     }
     texels->shading_ = std::move(*shading);
     texels->budget_ = std::move(*budget);
-    return std::unique_ptr<AbstractTexelSource>(std::move(texels));
+    return texels;
 }
 
 Result<RasterTexels::Work*> RasterTexels::begin(CubeMapProjector& projector) {

@@ -15,10 +15,13 @@ namespace aolib {
 class RasterTexels final : public AbstractTexelSource {
 public:
     /// Errors: ShaderError. @param radius  asks for the reach of occluders, world units.
-    static Result<std::unique_ptr<AbstractTexelSource>> create(const BackboneContext& context,
-                                                               const SceneGeometry& geometry,
-                                                               FaceStore& store,
-                                                               std::function<float()> radius);
+    static Result<std::unique_ptr<RasterTexels>> create(const BackboneContext& context,
+                                                        const SceneGeometry& geometry,
+                                                        FaceStore& store,
+                                                        std::function<float()> radius);
+
+    /// What captures and computes, for whoever needs the same of other points.
+    DeferredShading& shading() { return shading_; }
 
     int passes() const override { return DeferredShading::passes(context_.options); }
     Status complete(CubeMapProjector& projector) override;

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "backbone/ShaderLibrary.h"
+#include "backbone/cubemapped/FaceCapture.h"
 #include "gl/Label.h"
 
 namespace aolib {

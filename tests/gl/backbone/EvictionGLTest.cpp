@@ -211,7 +211,8 @@ TEST_P(EvictionGLTest, DetailInViewPushesOutWhatNobodySees) {
     constexpr int kFine = 128; // the least that has detail
     Options o = options(1.01);
     o.estimator = Estimator::RayTraced;
-    o.rayTraced = {.rays = 16, .repair = false};
+    o.rayTraced.rays = 16;
+    o.cubeMaps.repair = false;
     o.frameBudget = 1000.0F;
     o.cubeMaps.faceSize = kFine;
     o.cubeMaps.memoryBudget = budgetFor(3.01, kFine);

@@ -34,7 +34,8 @@ protected:
         o.cubeMaps.faceSize = kFaceSize;
         o.cubeMaps.place = false;
         o.layeredIntervals = {.slices = 4, .steps = 8};
-        o.rayTraced = {.rays = 16, .repair = false}; // which has buffers of its own, per frame
+        o.rayTraced.rays = 16;
+        o.cubeMaps.repair = false; // which has buffers of its own, per frame
         SmallHost host(gl, loader, boxOnFloor(), o);
         host.ao().setTexelTracer(std::move(*createTexelTracer(1)));
         host.lookAt({4, 24, 40}, {0, 0.5F, 0}); // so far away that no view asks for detail

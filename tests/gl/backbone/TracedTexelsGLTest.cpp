@@ -27,7 +27,8 @@ TEST_P(TracedTexelsGLTest, TracedTexelsFollowTheClosedForm) {
 
 TEST_P(TracedTexelsGLTest, WhatIsTracedTwiceCountsOnce) {
     Options o = options(Estimator::RayTraced);
-    o.rayTraced = {.rays = 16, .repair = false}; // one pass
+    o.rayTraced.rays = 16; // one pass
+    o.cubeMaps.repair = false;
     SmallHost host = hostWith(o);
     ASSERT_TRUE(host.ao().addCubeMap({0.5F, 3, 5}).ok());
     for (int frame = 0; frame < 200; ++frame) {

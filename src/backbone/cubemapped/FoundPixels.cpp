@@ -1,0 +1,31 @@
+#include "backbone/cubemapped/FoundPixels.h"
+
+#include <array>
+#include <utility>
+
+namespace aolib {
+
+Status FoundPixels::makeRoom(const gl::Functions& gl, const glm::ivec2& size) {
+    if (texture_) {
+        return {};
+    }
+    auto created = gl::TextureStack::create(gl, {.width = size.x,
+                                                 .height = size.y,
+                                                 .layers = 1,
+                                                 .format = gl::RenderToTexture2D::Format::RG32F,
+                                                 .label = "aolib/repair/pixels"});
+    if (created) {
+        texture_ = std::move(*created);
+        texture_->begin(0);
+        const std::array<float, 4> nothing{kNothing.x, kNothing.y, 0.0F, 0.0F};
+        gl.ClearBufferfv(GL_COLOR, 0, nothing.data());
+    }
+    return created.status();
+}
+
+void FoundPixels::drop() {
+    texture_.reset();
+    count = 0;
+}
+
+} // namespace aolib

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include <glm/vec2.hpp>
+
+#include "gl/TextureStack.h"
+
+namespace aolib {
+
+/// W of pixels of a view at rest, and the depth in the host's buffer that each was found for: one
+/// layer, size of the frame.
+class FoundPixels {
+public:
+    /// Where nothing was found: no depth is negative.
+    static constexpr glm::vec2 kNothing{1.0F, -1.0F};
+
+    /// Makes room, with nothing found, unless there is. Errors: OutOfMemory.
+    Status makeRoom(const gl::Functions& gl, const glm::ivec2& size);
+    /// Forgets all.
+    void drop();
+
+    /// Null without room.
+    const gl::TextureStack* texture() const { return texture_ ? &*texture_ : nullptr; }
+    std::size_t bytes() const { return texture_ ? texture_->bytes() : 0; }
+
+    std::size_t count = 0; ///< found so far
+
+private:
+    std::optional<gl::TextureStack> texture_;
+};
+
+} // namespace aolib

@@ -1,0 +1,254 @@
+#include "backbone/cubemapped/LayeredPixels.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "backbone/Estimators.h"
+#include "backbone/ShaderLibrary.h"
+#include "gl/Label.h"
+
+namespace aolib {
+
+namespace {
+
+constexpr int kPixelTile = 16; ///< pixels along a tile's edge
+/// Slices and steps for each of a texel: pixels are not averaged with their neighbours as texels
+/// are, and steps as fine as these miss no thin slab that is seen edge-on (docs/accuracy.md).
+constexpr int kSlicesPerTexelSlice = 2;
+constexpr int kStepsPerTexelStep = 4;
+constexpr int kMostSlices = 128;
+constexpr int kMostSteps = 256;
+
+constexpr int kSumsUnit = 0; ///< of keep_pixels.frag; in pixels_layered.frag the capture's
+constexpr int kDepthUnit = 1;
+
+Options ofPixels(const Options& texels) {
+    Options options = texels;
+    LayeredIntervalsOptions& layered = options.layeredIntervals;
+    layered.slices = std::min(kSlicesPerTexelSlice * layered.slices, kMostSlices);
+    layered.steps = std::min(kStepsPerTexelStep * layered.steps, kMostSteps);
+    return options;
+}
+
+/// Corners of the tiles of a view, its middle last.
+std::vector<glm::ivec2> tilesOf(const glm::ivec2& size) {
+    std::vector<glm::ivec2> tiles;
+    for (int y = 0; y < size.y; y += kPixelTile) {
+        for (int x = 0; x < size.x; x += kPixelTile) {
+            tiles.emplace_back(x, y);
+        }
+    }
+    const auto fromMiddle = [&](const glm::ivec2& tile) {
+        const glm::ivec2 away = 2 * tile + kPixelTile - size;
+        return away.x * away.x + away.y * away.y;
+    };
+    std::stable_sort(tiles.begin(), tiles.end(), [&](const glm::ivec2& a, const glm::ivec2& b) {
+        return fromMiddle(a) > fromMiddle(b);
+    });
+    return tiles;
+}
+
+} // namespace
+
+Result<std::unique_ptr<AbstractPixelSource>> LayeredPixels::create(const BackboneContext& context,
+                                                                   const SceneGeometry& geometry,
+                                                                   DeferredShading& shading) {
+    auto visibility = buildShader(context.gl, "fullscreen.vert", "cubemap/pixels_layered.frag");
+    if (!visibility) {
+        return visibility.status();
+    }
+    auto keep = buildShader(context.gl, "fullscreen.vert", "cubemap/keep_pixels.frag");
+    if (!keep) {
+        return keep.status();
+    }
+    auto budget = FrameBudget::create(context.gl);
+    if (!budget) {
+        return budget.status();
+    }
+    std::unique_ptr<LayeredPixels> pixels(new LayeredPixels(geometry, shading));
+    pixels->visibility_ = std::move(*visibility);
+    pixels->keep_ = std::move(*keep);
+    pixels->budget_ = std::move(*budget);
+    return std::unique_ptr<AbstractPixelSource>(std::move(pixels));
+}
+
+void LayeredPixels::restart() {
+    stage_ = Stage::Begin;
+    work_.reset();
+}
+
+std::size_t LayeredPixels::bytes() const {
+    return work_ ? work_->around.capture->bytes() + work_->sums.bytes() : 0;
+}
+
+// ---- Within a budget ----------------------------------------------------------------------------
+
+Status LayeredPixels::advance(const RestingView& view, FoundPixels& found, double milliseconds) {
+    const bool toTheEnd = std::isinf(milliseconds);
+    if (stage_ == Stage::Begin) {
+        if (Status status = begin(view); !status) {
+            return status;
+        }
+    }
+    if (!toTheEnd && stage_ != Stage::Done) {
+        budget_.beginFrame(milliseconds);
+    }
+    while (stage_ != Stage::Done) {
+        const WorkUnit unit = next();
+        const int most = toTheEnd ? kMostSlices : budget_.room(unit);
+        if (most == 0 ||
+            (!toTheEnd && stage_ == Stage::Capture && work_->around.capture->waits())) {
+            break;
+        }
+        if (!toTheEnd) {
+            budget_.start(unit);
+        }
+        const auto did = step(view, found, most);
+        if (!did) {
+            restart();
+            return did.status();
+        }
+        if (!toTheEnd) {
+            budget_.done(*did);
+        }
+    }
+    return {};
+}
+
+WorkUnit LayeredPixels::next() const {
+    switch (stage_) {
+    case Stage::Capture:
+        return work_->around.capture->next();
+    case Stage::Tiles:
+        return WorkUnit::Texels;
+    default:
+        return WorkUnit::Prepare;
+    }
+}
+
+Result<int> LayeredPixels::step(const RestingView& view, FoundPixels& found, int most) {
+    const gl::DebugGroup group(view.context.gl, "aolib: pixels of a view at rest");
+    Status status;
+    switch (stage_) {
+    case Stage::Capture:
+        status = work_->around.capture->step();
+        stage_ = work_->around.capture->complete() ? Stage::Targets : stage_;
+        break;
+    case Stage::Targets:
+        status = makeTargets(view, found);
+        stage_ = Stage::Tiles;
+        break;
+    case Stage::Tiles:
+        return computeTile(view, found, most);
+    default:
+        break;
+    }
+    if (!status) {
+        return status;
+    }
+    return 1;
+}
+
+// ---- What pixels see ----------------------------------------------------------------------------
+
+Status LayeredPixels::begin(const RestingView& view) {
+    if (view.frame.camera.projection()[2][3] == 0.0) {
+        stage_ = Stage::Done; // rays that are parallel have no centre
+        return {};
+    }
+    auto around = shading_.surroundings(
+        view.context, geometry_, view.frame.camera.eye(), view.context.options.cubeMaps.faceSize,
+        ViewFace::of(view.frame.camera, view.frame.size, view.frame.clip));
+    if (!around) {
+        return around.status();
+    }
+    work_.emplace();
+    work_->around = std::move(*around);
+    work_->tiles = tilesOf(view.frame.size);
+    stage_ = Stage::Capture;
+    return {};
+}
+
+Status LayeredPixels::makeTargets(const RestingView& view, FoundPixels& found) {
+    const gl::Functions& gl = view.context.gl;
+    const glm::ivec2& size = view.frame.size;
+    if (Status status = found.makeRoom(gl, size); !status) {
+        return status;
+    }
+    auto sums =
+        gl::RenderToTexture2D::create(gl, {.width = size.x,
+                                           .height = size.y,
+                                           .targets = {gl::RenderToTexture2D::Format::RG32F},
+                                           .label = "aolib/repair/sums"});
+    if (sums) {
+        constexpr std::array<GLfloat, 4> kNone{};
+        work_->sums = std::move(*sums);
+        work_->sums.begin(0);
+        gl.ClearBufferfv(GL_COLOR, 0, kNone.data());
+    }
+    return sums.status();
+}
+
+// ---- Pixels -------------------------------------------------------------------------------------
+
+int LayeredPixels::computeTile(const RestingView& view, FoundPixels& found, int most) {
+    const int slices = ofPixels(view.context.options).layeredIntervals.slices;
+    const glm::ivec2 tile = work_->tiles.back();
+    const int count = std::min(most, slices - work_->slices);
+    accumulate(view, tile, work_->slices, count);
+    work_->slices += count;
+    if (work_->slices == slices) {
+        keep(view, found, tile);
+        const glm::ivec2 extent = glm::min(glm::ivec2(kPixelTile), view.frame.size - tile);
+        found.count += static_cast<std::size_t>(extent.x) * static_cast<std::size_t>(extent.y);
+        work_->slices = 0;
+        work_->tiles.pop_back();
+    }
+    if (work_->tiles.empty()) {
+        work_.reset();
+        stage_ = Stage::Done;
+    }
+    return count;
+}
+
+void LayeredPixels::accumulate(const RestingView& view, const glm::ivec2& tile, int first,
+                               int count) {
+    const BackboneContext& context = view.context;
+    const gl::Functions& gl = context.gl;
+    const glm::ivec2 extent = glm::min(glm::ivec2(kPixelTile), view.frame.size - tile);
+    work_->sums.begin(0);
+    gl.Viewport(tile.x, tile.y, extent.x, extent.y);
+    visibility_.bind();
+    work_->around.capture->bind(visibility_);
+    view.host.bindDepth(kDepthUnit);
+    visibility_.set("uDepth", kDepthUnit);
+    view.frame.camera.setUniforms(visibility_, view.frame.size, view.frame.clip);
+    visibility_.set("uFirstSlice", first);
+    visibility_.set("uSliceCount", count);
+    setEstimatorUniforms(visibility_, ofPixels(context.options), view.radius);
+    gl.Enable(GL_BLEND);
+    gl.BlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
+    context.generated.drawFullscreen();
+    gl.Disable(GL_BLEND);
+}
+
+void LayeredPixels::keep(const RestingView& view, const FoundPixels& found,
+                         const glm::ivec2& tile) {
+    const glm::ivec2 extent = glm::min(glm::ivec2(kPixelTile), view.frame.size - tile);
+    found.texture()->begin(0);
+    view.context.gl.Viewport(tile.x, tile.y, extent.x, extent.y);
+    keep_.bind();
+    work_->sums.bindTexture(0, kSumsUnit);
+    view.host.bindDepth(kDepthUnit);
+    keep_.set("uSums", kSumsUnit);
+    keep_.set("uDepth", kDepthUnit);
+    view.context.generated.drawFullscreen();
+}
+
+} // namespace aolib

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "backbone/cubemapped/AbstractPixelSource.h"
+#include "backbone/cubemapped/TracerQueue.h"
+#include "gl/PixelReadback.h"
+
+namespace aolib {
+
+/// Traces those pixels that no texel quite tells, as at edges finer than any texel, along their own
+/// lines of sight.
+class TracedPixels final : public AbstractPixelSource {
+public:
+    /// @param queue  outlives it. Errors: ShaderError.
+    static Result<std::unique_ptr<AbstractPixelSource>> create(const BackboneContext& context,
+                                                               TracerQueue& queue);
+
+    void restart() override;
+    void lookAgain() override { restart(); }
+    /// Errors: OutOfMemory, MissingCapability, the tracer's.
+    Status advance(const RestingView& view, FoundPixels& found, double milliseconds) override;
+    bool done() const override { return phase_ == Phase::Done; }
+    std::size_t bytes() const override { return doubt_ ? 2 * doubt_.bytes() : 0; }
+
+private:
+    enum class Phase : std::uint8_t { Waiting, Asked, Tracing, Done };
+    struct Pixel {
+        glm::ivec2 at; ///< in the frame
+        float depth;   ///< as the host's depth buffer has it
+    };
+
+    explicit TracedPixels(TracerQueue& queue) : queue_(queue) {}
+
+    /// Draws where the cube maps leave a doubt, and starts reading it back.
+    Status ask(const RestingView& view);
+    /// Sorts the doubtful pixels into tiles.
+    void plan(const glm::ivec2& size, std::span<const std::uint8_t> depths);
+    /// Traces them.
+    Status trace(const RestingView& view, FoundPixels& found, double milliseconds);
+    std::vector<TexelRequest> requests(const RestingView& view) const;
+    void take(const TracedTexels& traced, const glm::ivec2& size, FoundPixels& found);
+
+    TracerQueue& queue_;
+    gl::GLSLShader shader_;
+    Phase phase_ = Phase::Waiting;
+    std::uint32_t generation_ = 0; ///< results of another are out of date
+    gl::RenderToTexture2D doubt_;  ///< while it is read back
+    gl::PixelReadback readback_;
+    std::vector<std::vector<Pixel>> tiles_; ///< doubtful pixels; empty once they are traced
+};
+
+} // namespace aolib

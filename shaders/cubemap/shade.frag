@@ -22,12 +22,15 @@ void main() {
     vec3 normal = uEyeToWorld * surface.normal;
     float resolution = depthResolution(surface.t);
     Projected best = nothingProjected();
-    for (int cube = 0; cube < uCubes; ++cube) {
+    float repaired = repairedVisibility(pixel, rawDepth(pixel));
+    int cubes = repaired < 0.0 ? uCubes : 0;
+    for (int cube = 0; cube < cubes; ++cube) {
         project(cube, eyeTo, normal, resolution, best);
     }
-    refine(eyeTo, normal, resolution, best);
+    for (int i = min(cubes, 1); i > 0; --i) { // a loop, for it ends where no pixel of a group goes on
+        refine(eyeTo, normal, resolution, best);
+    }
     float visibility = best.weights > 0.0 ? best.sum / best.weights : 1.0;
-    float repaired = repairedVisibility(pixel, rawDepth(pixel));
     visibility = repaired < 0.0 ? visibility : repaired;
     outFactor = vec4(vec3(1.0 - uContrast + uContrast * visibility), 1.0);
 }

@@ -247,6 +247,7 @@ void BackboneCubemapped::heedSurvey(const std::vector<CubeMapProjector*>& projec
 Status BackboneCubemapped::prepare(const Frame& frame) {
     schedule_.beginFrame();
     projected_.clear();
+    repairStatus_ = {};
     cubeMaps_.followOptions();
     if (Status status = followScene(); !status) {
         return status;
@@ -273,12 +274,12 @@ Status BackboneCubemapped::prepare(const Frame& frame) {
             projected_.push_back(projector);
         }
     }
-    return repair(frame);
+    repair(frame);
+    return {};
 }
 
-Status BackboneCubemapped::repair(const Frame& frame) {
+void BackboneCubemapped::repair(const Frame& frame) {
     repair_.follow(frame, projected_.empty() ? nullptr : schedule_.pixels());
-    Status status;
     if (texelsComplete_ && repair_.rests() && !repair_.done()) {
         const double budget = schedule_.atOnce() ? HUGE_VAL : double{context_.options.frameBudget};
         const RestingView view{
@@ -289,10 +290,9 @@ Status BackboneCubemapped::repair(const Frame& frame) {
             .projectors = projected_,
             .radius = radius(),
         };
-        status = repair_.advance(view, budget);
+        repairStatus_ = repair_.advance(view, budget);
     }
     converged_ = texelsComplete_ && repair_.done();
-    return status;
 }
 
 KeptTexels BackboneCubemapped::kept() const {
@@ -324,7 +324,7 @@ Status BackboneCubemapped::finishFrame(const Frame& frame) {
     if (context_.options.cubeMaps.outlines) {
         outlines_->draw(context_, frame, cubeMaps_.nearest(frame.position));
     }
-    return {};
+    return repairStatus_; // the picture is as good as without it
 }
 
 void BackboneCubemapped::addStatistics(Statistics& statistics) {

@@ -62,13 +62,14 @@ private:
     /// Takes the survey's answers: coverage, and what cube maps are asked for.
     void heedSurvey(const std::vector<CubeMapProjector*>& projectors);
     /// Computes pixels of a view at rest whose cube maps are complete.
-    Status repair(const Frame& frame);
+    void repair(const Frame& frame);
     KeptTexels kept() const;
 
     SceneGeometry sceneGeometry_;
     CubeMaps cubeMaps_;
     BuildSchedule schedule_;
     ViewRepair repair_;
+    Status repairStatus_; ///< of the latest frame
     std::optional<Projection> projection_;
     std::optional<Survey> survey_;
     std::optional<SightTest> sight_;

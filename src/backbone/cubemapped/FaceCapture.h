@@ -29,8 +29,6 @@ bool reachesFace(const Bounds& box, const glm::dvec3& centre, int face);
 /// What a camera sees of a cube map's surroundings: one more face beside those of the cube, finer
 /// than they are.
 struct ViewFace {
-    static constexpr int kNumber = kFaces;
-
     /// Rows x, y and w of clip space, of directions in world axes.
     glm::mat3 frustum{1.0F};
     float leastClip = 1.0F; ///< clip w per world unit of distance, at least

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 #include <glm/common.hpp>
@@ -22,6 +23,8 @@ constexpr int kPixelTile = 16; ///< pixels along a tile's edge
 /// are, and steps as fine as these miss no thin slab that is seen edge-on (docs/accuracy.md).
 constexpr int kSlicesPerTexelSlice = 2;
 constexpr int kStepsPerTexelStep = 4;
+/// Views of more pixels keep their texels: a capture takes some 140 bytes of each.
+constexpr std::int64_t kMostPixels = 4'000'000;
 constexpr int kMostSlices = 128;
 constexpr int kMostSteps = 256;
 
@@ -158,8 +161,10 @@ Result<int> LayeredPixels::step(const RestingView& view, FoundPixels& found, int
 // ---- What pixels see ----------------------------------------------------------------------------
 
 Status LayeredPixels::begin(const RestingView& view) {
-    if (view.frame.camera.projection()[2][3] == 0.0) {
-        stage_ = Stage::Done; // rays that are parallel have no centre
+    const bool orthographic = view.frame.camera.projection()[2][3] == 0.0;
+    const std::int64_t pixels = std::int64_t{view.frame.size.x} * view.frame.size.y;
+    if (orthographic || pixels > kMostPixels) { // rays that are parallel have no centre
+        stage_ = Stage::Done;
         return {};
     }
     auto around = shading_.surroundings(

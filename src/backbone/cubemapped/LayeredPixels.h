@@ -12,7 +12,7 @@ namespace aolib {
 /// Computes every pixel from layered intervals that are captured about the eye, in more slices and
 /// finer steps than a texel's: the view as a cube map of its own, in which what the view shows has
 /// its pixels for texels. What is captured goes when the last pixel is done. Scenes of triangles,
-/// and perspective cameras; in others texels have to do.
+/// and views of perspective cameras, of up to four million pixels; in others texels have to do.
 class LayeredPixels final : public AbstractPixelSource {
 public:
     /// @param geometry, shading  outlive it. Errors: ShaderError, OutOfMemory.

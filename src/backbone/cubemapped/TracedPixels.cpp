@@ -13,8 +13,8 @@ namespace aolib {
 
 namespace {
 
-constexpr int kTile = 32;     ///< pixels along a tile's edge, a request's worth
-constexpr int kBlock = 4;     ///< pixels along the edge of what is traced side by side
+constexpr int kTile = 32;           ///< pixels along a tile's edge, a request's worth
+constexpr int kBlock = 4;           ///< pixels along the edge of what is traced side by side
 constexpr int kRepairTileBits = 24; ///< of a request's key
 /// Requests queued at a time: enough to keep workers busy between frames.
 constexpr std::size_t kRepairQueue = 64;

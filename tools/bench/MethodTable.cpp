@@ -153,6 +153,7 @@ const std::vector<Method>& benchMethods() {
         layeredCube(16, 32, 512, 1),
         tracedAtRest(layeredCube(8, 16, 512, 1)),
         tracedAtRest(layeredCube(16, 32, 512, 1)),
+        moving(layeredCube(8, 16, 256, 1)),
         moving(layeredCube(8, 16, 512, 1)),
         moving(layeredCube(16, 32, 512, 1)),
         layeredCube(4, 8, 1024, 1, kOnRequest),

@@ -18,7 +18,9 @@ namespace aolib {
 
 namespace {
 
-constexpr int kPixelTile = 16; ///< pixels along a tile's edge
+/// Pixels across and up of a tile. A software rasteriser's threads share a picture out in squares
+/// of 64 x 64: two of them have something to do.
+constexpr glm::ivec2 kPixelTile{128, 4};
 /// Slices and steps for each of a texel: pixels are not averaged with their neighbours as texels
 /// are, and steps as fine as these miss no thin slab that is seen edge-on (docs/accuracy.md).
 constexpr int kSlicesPerTexelSlice = 2;
@@ -42,8 +44,8 @@ Options ofPixels(const Options& texels) {
 /// Corners of the tiles of a view, its middle last.
 std::vector<glm::ivec2> tilesOf(const glm::ivec2& size) {
     std::vector<glm::ivec2> tiles;
-    for (int y = 0; y < size.y; y += kPixelTile) {
-        for (int x = 0; x < size.x; x += kPixelTile) {
+    for (int y = 0; y < size.y; y += kPixelTile.y) {
+        for (int x = 0; x < size.x; x += kPixelTile.x) {
             tiles.emplace_back(x, y);
         }
     }
@@ -210,7 +212,7 @@ int LayeredPixels::computeTile(const RestingView& view, FoundPixels& found, int 
     work_->slices += count;
     if (work_->slices == slices) {
         keep(view, found, tile);
-        const glm::ivec2 extent = glm::min(glm::ivec2(kPixelTile), view.frame.size - tile);
+        const glm::ivec2 extent = glm::min(kPixelTile, view.frame.size - tile);
         found.count += static_cast<std::size_t>(extent.x) * static_cast<std::size_t>(extent.y);
         work_->slices = 0;
         work_->tiles.pop_back();
@@ -226,7 +228,7 @@ void LayeredPixels::accumulate(const RestingView& view, const glm::ivec2& tile, 
                                int count) {
     const BackboneContext& context = view.context;
     const gl::Functions& gl = context.gl;
-    const glm::ivec2 extent = glm::min(glm::ivec2(kPixelTile), view.frame.size - tile);
+    const glm::ivec2 extent = glm::min(kPixelTile, view.frame.size - tile);
     work_->sums.begin(0);
     gl.Viewport(tile.x, tile.y, extent.x, extent.y);
     visibility_.bind();
@@ -245,7 +247,7 @@ void LayeredPixels::accumulate(const RestingView& view, const glm::ivec2& tile, 
 
 void LayeredPixels::keep(const RestingView& view, const FoundPixels& found,
                          const glm::ivec2& tile) {
-    const glm::ivec2 extent = glm::min(glm::ivec2(kPixelTile), view.frame.size - tile);
+    const glm::ivec2 extent = glm::min(kPixelTile, view.frame.size - tile);
     found.texture()->begin(0);
     view.context.gl.Viewport(tile.x, tile.y, extent.x, extent.y);
     keep_.bind();

@@ -85,7 +85,10 @@ void Poison::setMatrices(Dice& dice) {
         gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
         gl_.TexEnvf(kTextureEnv, kTextureEnvMode,
                     static_cast<GLfloat>(dice.pick<GLenum>(kModulate, {GL_BLEND, GL_REPLACE})));
-        gl_.TexEnvf(kTextureFilterControl, GL_TEXTURE_LOD_BIAS, dice.real(0, -3, 3));
+        // Few values: from the 4097th sampler state on, Mesa may free one twice
+        // (docs/robustness.md).
+        gl_.TexEnvf(kTextureFilterControl, GL_TEXTURE_LOD_BIAS,
+                    static_cast<GLfloat>(dice.integer(0, -12, 12)) / 4.0F);
         gl_.MatrixMode(GL_TEXTURE);
         gl_.LoadMatrixf(matrix(dice).data());
         for (const GLenum target : GLenums{GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_CUBE_MAP}) {

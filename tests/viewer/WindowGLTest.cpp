@@ -4,6 +4,10 @@
 #include <fstream>
 #include <sstream>
 
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
 #include "WindowTest.h"
 #include "image/Png.h"
 #ifdef AOLIB_TEST_X11
@@ -28,13 +32,12 @@ std::vector<std::string> with(std::vector<std::string> arguments,
     return arguments;
 }
 
+glm::vec3 positionOf(const json& list) {
+    return {list[0].get<float>(), list[1].get<float>(), list[2].get<float>()};
+}
+
 double eyeDistance(const json& s) {
-    double sum = 0.0;
-    for (int axis = 0; axis < 3; ++axis) {
-        const double d = s["eye"][axis].get<double>() - s["target"][axis].get<double>();
-        sum += d * d;
-    }
-    return std::sqrt(sum);
+    return static_cast<double>(glm::distance(positionOf(s["eye"]), positionOf(s["target"])));
 }
 
 double meanBrightness(const ByteImage& image, int x0, int x1, int y0, int y1) {
@@ -155,6 +158,63 @@ TEST_F(WindowGLTest, CubeMapsArePlacedChosenAndRemoved) {
     key("Delete");
     waitFor("one cube map", [](const json& s) { return s["cube_maps"].size() == 1; });
     EXPECT_TRUE(state()["chosen"].is_null());
+    quit();
+}
+
+TEST_F(WindowGLTest, MarksAreDraggedInTheViewPlaneAndAlongTheRay) {
+    start(with(kSmall, {"--marks", "--no-place"}));
+    key("m"); // at the camera, which then steps back
+    waitFor("a cube map", [](const json& s) { return s["cube_maps"].size() == 1; });
+    moveMouse(100, 500);
+    input({"click", "--repeat", "5", "5"});
+    waitFor("its mark", [](const json& s) { return !s["marks"][0].is_null(); });
+    waitForRest();
+    const auto markAt = [](const json& s) {
+        return glm::vec2(s["marks"][0][0].get<float>(), s["marks"][0][1].get<float>());
+    };
+    const auto depth = [](const json& s) {
+        const glm::vec3 eye = positionOf(s["eye"]);
+        return glm::dot(positionOf(s["cube_maps"][0]) - eye,
+                        glm::normalize(positionOf(s["target"]) - eye));
+    };
+    const auto hasMoved = [&](const json& before) {
+        return [&, before](const json& s) { return s["cube_maps"] != before["cube_maps"]; };
+    };
+    const json first = state();
+    ASSERT_EQ(first["cube_maps"].size(), 1U);
+    const glm::vec2 begin = markAt(first);
+    drag(begin.x, begin.y, begin.x + 40, begin.y - 20);
+    waitFor("a cube map elsewhere", hasMoved(first));
+    waitForRest();
+    const json second = state();
+    EXPECT_NEAR(glm::distance(markAt(second), begin + glm::vec2(40, -20)), 0.0F, 1.5F);
+    EXPECT_NEAR(depth(second), depth(first), 1e-3F * depth(first));
+    EXPECT_EQ(second["eye"], first["eye"]) << "the camera stays";
+    EXPECT_FALSE(second["chosen"].is_null());
+
+    const glm::vec2 middle = markAt(second);
+    holdKey("shift");
+    drag(middle.x, middle.y, middle.x, middle.y + 30);
+    releaseKey("shift");
+    waitFor("a nearer cube map", hasMoved(second));
+    waitForRest();
+    const json third = state();
+    EXPECT_NEAR(glm::distance(markAt(third), middle), 0.0F, 1.5F);
+    EXPECT_LT(depth(third), 0.95F * depth(second));
+
+    const glm::vec2 last = markAt(third);
+    moveMouse(last.x, last.y);
+    input({"mousedown", "1"});
+    moveMouse(last.x - 30, last.y + 10);
+    waitFor("a dragged mark", [&](const json& s) { return glm::distance(markAt(s), last) > 20; });
+    EXPECT_EQ(state()["cube_maps"], third["cube_maps"]);
+    key("Escape");
+    waitFor("the mark back", [&](const json& s) { return glm::distance(markAt(s), last) < 1; });
+    moveMouse(last.x - 40, last.y + 20);
+    input({"mouseup", "1"});
+    waitForRest();
+    EXPECT_EQ(state()["cube_maps"], third["cube_maps"]);
+    EXPECT_EQ(state()["eye"], first["eye"]);
     quit();
 }
 

@@ -25,6 +25,7 @@ constexpr std::array kMouse{
     MouseRow{"W A S D, Q E", "walk: ahead, left, back, right, down, up; Shift: faster"},
     MouseRow{"drag the line", "move the split"},
     MouseRow{"click a mark", "choose a cube map"},
+    MouseRow{"drag a mark", "move its cube map; with Shift nearer or farther; Esc: not"},
     MouseRow{"drop a file", "open a .glb, .gltf, .obj, or a case (.json)"}};
 
 void row(const char* left, const char* right) {

@@ -61,6 +61,11 @@ std::string stateReport(const ViewerState& state, const PanelFacts& facts, const
     for (const CubeMapInfo& cubeMap : facts.cubeMaps) {
         json["cube_maps"].push_back(list(cubeMap.position));
     }
+    json["marks"] = Json::array();
+    for (const Gizmo& gizmo : report.gizmos) {
+        json["marks"].push_back(gizmo.visible ? Json{gizmo.centre.x, gizmo.centre.y}
+                                              : Json(nullptr));
+    }
     json["truth"] = truthOf(state, facts.truth);
     for (const OptionText& text : optionTexts(state.options)) {
         json["options"][text.name] = text.value;

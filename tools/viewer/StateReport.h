@@ -1,9 +1,11 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <glm/vec2.hpp>
 
+#include "viewer/CubeMapGizmos.h"
 #include "viewer/SidePanel.h"
 #include "viewer/ViewerState.h"
 
@@ -15,6 +17,7 @@ struct ReportFacts {
     glm::ivec2 picture{0}; ///< pixels
     bool settled = false;  ///< nothing is left to draw or to trace
     std::string message;   ///< the latest
+    std::vector<Gizmo> gizmos;
 };
 
 /// The viewer's state as JSON, for tests and scripts.

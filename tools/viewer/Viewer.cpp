@@ -23,8 +23,6 @@ constexpr double kLongestPause = 0.05;
 constexpr double kTruthPause = 0.1;
 /// While the panel is used, a picture that only gets better is drawn after so many times as long.
 constexpr double kHandsFirst = 3.0;
-/// Edges of the marks of cube maps, shares of the scene's diagonal.
-constexpr float kGizmoShare = 0.008F;
 
 double secondsSince(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
@@ -107,6 +105,7 @@ app::MaybeFailure Viewer::adopt(app::View view) {
     panel_.setDefaults(defaults);
     state_.camera.begin(adopted.camera, scene_->bounds(), static_cast<float>(adopted.diagonal));
     state_.chosen.reset();
+    drag_.cancel();
     state_.error.reset();
     nextCamera_ = 0;
     truth_.setScene(adopted.model.flattened());
@@ -206,11 +205,8 @@ void Viewer::follow(const Input& input, float seconds) {
     }
     if (pressed) {
         grabbed_ = state_.split.dragging();
-        if (const auto mark = gizmoAt(gizmos_, input.mouse); mark && !grabbed_) {
-            state_.chosen = mark;
-            grabbed_ = true;
-        }
     }
+    followGizmos(input);
     moving_ = state_.camera.follow(input, size.y, seconds, !grabbed_);
 }
 
@@ -263,14 +259,7 @@ void Viewer::drawGui() {
     const glm::vec2 size = pictureSize();
     Wishes wishes;
     gui_->beginFrame();
-    gizmos_.clear();
-    if (state_.gizmos) {
-        const glm::mat4 viewProjection = projectionMatrix(state_.camera.camera(), size.x / size.y) *
-                                         viewMatrix(state_.camera.camera());
-        const auto edge = kGizmoShare * static_cast<float>(scene_->view().diagonal);
-        gizmos_ = gizmosOf(scene_->ao().cubeMaps(), viewProjection, size, edge);
-        drawGizmos(gizmos_, size, state_.chosen);
-    }
+    drawMarks(size);
     if (state_.rival != Rival::None) {
         drawSplit(state_.split, size, state_.occlusion ? "aolib" : "without ambient occlusion",
                   std::string(choiceOf(state_.rival).label));

@@ -9,6 +9,7 @@
 #include "app/Outcome.h"
 #include "viewer/ComparedPicture.h"
 #include "viewer/CubeMapGizmos.h"
+#include "viewer/GizmoDrag.h"
 #include "viewer/Gui.h"
 #include "viewer/Messages.h"
 #include "viewer/SceneLoader.h"
@@ -50,6 +51,9 @@ private:
     void goToCamera(const NamedCamera& camera);
     void openScene(const std::string& nameOrPath);
     void changeCubeMaps(Command command);
+    void followGizmos(const Input& input);
+    void moveCubeMap(const GizmoDrag::Move& move);
+    void drawMarks(const glm::vec2& size);
     app::MaybeFailure saveScreenshot(const std::filesystem::path& file) const;
     void exportCase();
     app::MaybeFailure writeState();
@@ -74,6 +78,7 @@ private:
     ViewerState state_;
     TruthWorker::State truthState_;
     std::vector<Gizmo> gizmos_;
+    GizmoDrag drag_;
     std::size_t nextCamera_ = 0;
     bool grabbed_ = false; ///< the left button went down on a mark or the split line
     bool moving_ = false;  ///< the camera was, in the latest frame

@@ -188,7 +188,7 @@ app::MaybeFailure Viewer::writeState() {
     if (settings_.stateFile.empty()) {
         return std::nullopt;
     }
-    const ReportFacts report{frames_, picturePixels(), settled(), messages_.latest()};
+    const ReportFacts report{frames_, picturePixels(), settled(), messages_.latest(), gizmos_};
     const std::string text = stateReport(state_, facts(), panel_, report);
     if (const std::string problem = bench::writeText(settings_.stateFile, text); !problem.empty()) {
         return app::Failure{app::ExitCode::Failed, problem};

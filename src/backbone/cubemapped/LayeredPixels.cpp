@@ -31,7 +31,7 @@ constexpr int kMostSlices = 128;
 constexpr int kMostSteps = 256;
 
 constexpr int kSumsUnit = 0; ///< of keep_pixels.frag; in pixels_layered.frag the capture's
-constexpr int kDepthUnit = 1;
+constexpr int kHostDepthUnit = 1;
 
 Options ofPixels(const Options& texels) {
     Options options = texels;
@@ -233,8 +233,8 @@ void LayeredPixels::accumulate(const RestingView& view, const glm::ivec2& tile, 
     gl.Viewport(tile.x, tile.y, extent.x, extent.y);
     visibility_.bind();
     work_->around.capture->bind(visibility_);
-    view.host.bindDepth(kDepthUnit);
-    visibility_.set("uDepth", kDepthUnit);
+    view.host.bindDepth(kHostDepthUnit);
+    visibility_.set("uDepth", kHostDepthUnit);
     view.frame.camera.setUniforms(visibility_, view.frame.size, view.frame.clip);
     visibility_.set("uFirstSlice", first);
     visibility_.set("uSliceCount", count);
@@ -252,9 +252,9 @@ void LayeredPixels::keep(const RestingView& view, const FoundPixels& found,
     view.context.gl.Viewport(tile.x, tile.y, extent.x, extent.y);
     keep_.bind();
     work_->sums.bindTexture(0, kSumsUnit);
-    view.host.bindDepth(kDepthUnit);
+    view.host.bindDepth(kHostDepthUnit);
     keep_.set("uSums", kSumsUnit);
-    keep_.set("uDepth", kDepthUnit);
+    keep_.set("uDepth", kHostDepthUnit);
     view.context.generated.drawFullscreen();
 }
 

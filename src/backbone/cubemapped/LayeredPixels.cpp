@@ -24,7 +24,7 @@ constexpr glm::ivec2 kPixelTile{128, 4};
 /// Slices and steps for each of a texel: pixels are not averaged with their neighbours as texels
 /// are, and steps as fine as these miss no thin slab that is seen edge-on (docs/accuracy.md).
 constexpr int kSlicesPerTexelSlice = 2;
-constexpr int kStepsPerTexelStep = 4;
+constexpr int kStepsPerTexelStep = 6;
 /// Views of more pixels keep their texels: a capture takes some 140 bytes of each.
 constexpr std::int64_t kMostPixels = 4'000'000;
 constexpr int kMostSlices = 128;

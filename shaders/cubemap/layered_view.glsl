@@ -65,9 +65,40 @@ float footprintAt(Texel texel, vec3 position) {
     return 2.0 * dot(position, faceForward(texel.face)) / float(uFaceSize);
 }
 
-// A number of its own for each texel.
+// A texel's place on its face, turned in quarters about the middle into the first quadrant: the same for
+// all texels that a turn of the cube onto itself takes to each other.
+struct Folded {
+    ivec2 at;
+    int quarters;
+};
+
+Folded fold(Texel texel) {
+    ivec2 c = 2 * texel.at + 1 - uFaceSize;
+    bool left = c.x <= 0 && c.y > 0;
+    bool opposite = c.x < 0 && c.y <= 0;
+    bool below = c.x >= 0 && c.y < 0;
+    return left       ? Folded(ivec2(c.y, -c.x), 1)
+           : opposite ? Folded(-c, 2)
+           : below    ? Folded(ivec2(-c.y, c.x), 3)
+                      : Folded(c, 0);
+}
+
+// A number for each texel, which turns along with the cube.
 uint numberOf(Texel texel) {
-    return uint(texel.at.x) + uint(uFaceSize) * (uint(texel.at.y) + uint(uFaceSize * texel.face));
+    Folded folded = fold(texel);
+    return uint(folded.at.x) + uint(2 * uFaceSize) * uint(folded.at.y);
+}
+
+// A direction from which slices are counted, which does so, too; never that of the texel's ray.
+vec3 slicesFrom(Texel texel) {
+#ifdef AO_VIEW_FACE
+    if (texel.face == kViewFace) {
+        return normalize(uFrustumRays[0]);
+    }
+#endif
+    int quarters = fold(texel).quarters;
+    vec3 axis = (quarters & 1) == 0 ? faceRight(texel.face) : faceUp(texel.face);
+    return quarters < 2 ? axis : -axis;
 }
 
 vec3 rayOf(Texel texel) {

@@ -9,6 +9,7 @@
 //   vec3 rayOf(Texel texel)                              unit direction of its middle
 //   vec4 intervalAt(Texel texel, int layer)              entry (-1 none), exit, octahedral normal
 //   int uLayers
+//   vec3 slicesFrom(Texel texel)                         whence slices are counted; not its ray
 //   float texelAngle(), float footprintAt(Texel, vec3 position)
 #include "shared/falloff.h"
 #include "shared/sector_mask.h"
@@ -285,8 +286,8 @@ vec2 blockedLayeredIntervals(Texel texel, uint seed, vec3 position, vec3 normal,
     p.reach = uFalloff == 1 ? kExpReach * uRadius : uRadius;
     p.texel = texel;
     float turn = hash(seed);
-    vec3 right = normalize(cross(abs(p.toCentre.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0),
-                                 p.toCentre));
+    vec3 from = slicesFrom(texel);
+    vec3 right = normalize(from - dot(from, p.toCentre) * p.toCentre);
     vec3 up = cross(p.toCentre, right);
     vec2 sum = vec2(0.0);
     for (int i = first; i < first + count; ++i) {

@@ -32,6 +32,7 @@ vec4 intervalAt(Texel texel, int layer) {
 
 float texelAngle() { return pixelFootprint(1.0); }
 float footprintAt(Texel texel, vec3 position) { return pixelFootprint(-position.z); }
+vec3 slicesFrom(Texel texel) { return vec3(1.0, 0.0, 0.0); }
 
 #include "estimators/layered_intervals.glsl"
 

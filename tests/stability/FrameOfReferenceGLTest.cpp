@@ -154,8 +154,8 @@ TEST_P(FrameOfReferenceGLTest, AQuarterTurnTakesEveryTexelAlong) {
             report(high ? "high quality 99th percentile" : "99th percentile", change.p99);
             report(high ? "high quality max" : "max", change.max);
             // Every texel has noise of its own.
-            EXPECT_LE(change.p99, high ? 0.01 : forEach(0.01, 0.015, 0.04));
-            EXPECT_LE(change.max, high ? forEach(0.2, 0.04, 0.03) : forEach(0.2, 0.05, 0.1));
+            EXPECT_LE(change.p99, high ? forEach(0.01, 0.001, 0.01) : forEach(0.01, 0.001, 0.04));
+            EXPECT_LE(change.max, high ? forEach(0.2, 0.01, 0.03) : forEach(0.2, 0.01, 0.1));
             EXPECT_LE(change.missing, 0.002);
         }
     }

@@ -33,7 +33,7 @@ struct Statistics {
     int cubeMapsProjected = 0;         ///< in the latest frame
     int cubeMapsBuilt = 0;             ///< in the latest frame, placed or rebuilt
     std::uint64_t cubeMapsEvicted = 0; ///< so far, to keep the memory budget
-    std::size_t pixelsRepaired = 0;      ///< of a view at rest, computed by themselves
+    std::size_t pixelsRepaired = 0;    ///< of a view at rest, computed by themselves
     float computed = 1.0F;     ///< share of the passes that the latest frame's cube maps need
     bool converged = true;     ///< nothing is left to compute for what the latest frame shows
     double frameGpuMs = -1.0;  ///< GPU time of aolib's passes in an earlier frame; -1 until known

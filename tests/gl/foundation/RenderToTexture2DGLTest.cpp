@@ -47,10 +47,10 @@ TEST_P(RenderToTexture2DGLTest, EveryFormatKeepsItsChannels) {
         int channels;
         float tolerance; // half a step of the channel; a whole one of half floats, which llvmpipe
                          // cuts off
-    } cases[] = {{Format::R8, 1, 0.002F},     {Format::RG8, 2, 0.002F}, {Format::RGBA8, 4, 0.002F},
-                 {Format::R16, 1, 1e-5F},     {Format::RG16, 2, 1e-5F},     {Format::R16F, 1, 5e-4F}, {Format::RG16F, 2, 5e-4F},
-                 {Format::RGBA16F, 4, 5e-4F}, {Format::R32F, 1, 0.0F},  {Format::RG32F, 2, 0.0F},
-                 {Format::RGBA32F, 4, 0.0F}};
+    } cases[] = {{Format::R8, 1, 0.002F},   {Format::RG8, 2, 0.002F},    {Format::RGBA8, 4, 0.002F},
+                 {Format::R16, 1, 1e-5F},   {Format::RG16, 2, 1e-5F},    {Format::R16F, 1, 5e-4F},
+                 {Format::RG16F, 2, 5e-4F}, {Format::RGBA16F, 4, 5e-4F}, {Format::R32F, 1, 0.0F},
+                 {Format::RG32F, 2, 0.0F},  {Format::RGBA32F, 4, 0.0F}};
     const std::array<float, 4> written{0.3F, 0.6F, 0.1F, 0.9F};
     for (const auto& c : cases) {
         const auto target = RenderToTexture2D::create(

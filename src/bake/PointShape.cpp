@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "bake/TexelRaster.h"
+#include "bake/UvMetric.h"
 
 namespace aolib::bake {
 
@@ -21,23 +22,8 @@ constexpr double longer = 3.0;
 /// The lengths of the gradients of u and v on a triangle, times a pixel's side.
 glm::dvec2 footprint(const Surface& surface, std::uint32_t triangle, const PointSettings& settings,
                      double scale) {
-    const std::uint32_t* index = &surface.indices[std::size_t{triangle} * 3];
-    const auto edge = [&](std::size_t k) {
-        return scale *
-               (glm::dvec3(surface.positions[index[k]]) - glm::dvec3(surface.positions[index[0]]));
-    };
-    const auto texels = [&](std::size_t k) {
-        return glm::dvec2(settings.mapSize) *
-               (glm::dvec2(surface.uvs[index[k]]) - glm::dvec2(surface.uvs[index[0]]));
-    };
-    const glm::dvec3 e1 = edge(1);
-    const glm::dvec3 e2 = edge(2);
-    const glm::dvec2 t1 = texels(1);
-    const glm::dvec2 t2 = texels(2);
-    const double xx = glm::dot(e1, e1);
-    const double xy = glm::dot(e1, e2);
-    const double yy = glm::dot(e2, e2);
-    const double determinant = xx * yy - xy * xy;
+    const auto [t1, t2, xx, xy, yy, determinant] =
+        UvMetric::of(surface, triangle, glm::dvec2(settings.mapSize), scale);
     if (!(determinant > 0.0)) {
         return glm::dvec2(0.0);
     }

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "bake/TexelRaster.h"
+#include "bake/UvMetric.h"
 
 namespace aolib::bake {
 
@@ -22,22 +23,7 @@ struct Density {
 
 Density densityOf(const Surface& surface, std::uint32_t triangle, const glm::dvec2& mapSize,
                   double scale) {
-    const std::uint32_t* index = &surface.indices[std::size_t{triangle} * 3];
-    const auto edge = [&](std::size_t k) {
-        return scale *
-               (glm::dvec3(surface.positions[index[k]]) - glm::dvec3(surface.positions[index[0]]));
-    };
-    const auto texels = [&](std::size_t k) {
-        return mapSize * (glm::dvec2(surface.uvs[index[k]]) - glm::dvec2(surface.uvs[index[0]]));
-    };
-    const glm::dvec3 e1 = edge(1);
-    const glm::dvec3 e2 = edge(2);
-    const glm::dvec2 t1 = texels(1);
-    const glm::dvec2 t2 = texels(2);
-    const double xx = glm::dot(e1, e1);
-    const double xy = glm::dot(e1, e2);
-    const double yy = glm::dot(e2, e2);
-    const double determinant = xx * yy - xy * xy;
+    const auto [t1, t2, xx, xy, yy, determinant] = UvMetric::of(surface, triangle, mapSize, scale);
     const double area = 0.5 * std::abs(t1.x * t2.y - t1.y * t2.x);
     if (determinant <= 0.0) {
         return {0.0, 0.0};

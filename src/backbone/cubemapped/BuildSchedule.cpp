@@ -58,18 +58,19 @@ Status BuildSchedule::chooseTexels() {
 
 Status BuildSchedule::choosePixels() {
     pixels_ = nullptr;
-    std::unique_ptr<AbstractPixelSource>& wanted = tracesPixels() ? tracedPixels_ : layeredPixels_;
+    const bool traced = tracesPixels();
     const bool layered = context_.options.estimator == Estimator::LayeredIntervals &&
                          !context_.scene.meshes().empty() && !context_.renderer;
-    if (!context_.options.cubeMaps.repair || !(tracesPixels() || layered)) {
+    if (!context_.options.cubeMaps.repair || !(traced || layered)) {
         return {};
     }
+    std::unique_ptr<AbstractPixelSource>& wanted = traced ? tracedPixels_ : layeredPixels_;
+    if (traced) {
+        askTracer();
+    }
     if (!wanted) {
-        if (tracesPixels()) {
-            askTracer();
-        }
-        auto made = tracesPixels() ? TracedPixels::create(context_, *tracerQueue_)
-                                   : LayeredPixels::create(context_, geometry_, raster_->shading());
+        auto made = traced ? TracedPixels::create(context_, *tracerQueue_)
+                           : LayeredPixels::create(context_, geometry_, raster_->shading());
         if (!made) {
             return made.status();
         }

@@ -185,6 +185,7 @@ Status LayeredPixels::begin(const RestingView& view) {
 Status LayeredPixels::makeTargets(const RestingView& view, FoundPixels& found) {
     const gl::Functions& gl = view.context.gl;
     const glm::ivec2& size = view.frame.size;
+    found.count = 0;
     if (Status status = found.makeRoom(gl, size); !status) {
         return status;
     }

@@ -18,6 +18,23 @@ constexpr int kRepairWidth = 160;
 constexpr int kRepairHeight = 90;
 constexpr int kMostRepairs = 4000;
 
+/// A view, what rays tell of it, and options to show it with.
+struct TrueView {
+    TrueView(const SceneView& which, Estimator estimator)
+        : model(buildScene(which)), camera(cameraOf(which)) {
+        options.estimator = estimator;
+        options.radius = 0.1F * model.bounds().diagonal();
+        options.cubeMaps.faceSize = 128;
+        truth = visibilityOf(
+            traceView(model, camera, kRepairWidth, kRepairHeight, options.radius, 1024));
+    }
+
+    Model model;
+    NamedCamera camera;
+    Options options;
+    FloatImage truth;
+};
+
 class RepairGLTest : public GLTest {
 protected:
     /// Draws the view until nothing is left to compute.
@@ -39,15 +56,7 @@ protected:
 TEST_P(RepairGLTest, AViewAtRestBecomesTheTracedPicture) {
     for (const SceneView& which : {SceneView{"town", "square"}, SceneView{"room", "corner"}}) {
         SCOPED_TRACE(which.scene);
-        const Model model = buildScene(which);
-        const NamedCamera camera = cameraOf(which);
-        Options options;
-        options.estimator = Estimator::RayTraced;
-        options.radius = 0.1F * model.bounds().diagonal();
-        options.cubeMaps.faceSize = 128;
-        const Picture traced =
-            traceView(model, camera, kRepairWidth, kRepairHeight, options.radius, 1024);
-        const FloatImage truth = visibilityOf(traced);
+        auto [model, camera, options, truth] = TrueView(which, Estimator::RayTraced);
         using Way = std::pair<float, ProjectionMethod>; // frame budget, projection
         for (const auto& [budget, method] :
              {Way{0.0F, ProjectionMethod::SinglePass}, Way{20.0F, ProjectionMethod::PingPong}}) {
@@ -73,16 +82,8 @@ TEST_P(RepairGLTest, AViewAtRestBecomesTheTracedPicture) {
 }
 
 TEST_P(RepairGLTest, WithoutATracerIntervalsAboutTheEyeTellEveryPixel) {
-    const SceneView which{"town", "square"};
-    const Model model = buildScene(which);
-    const NamedCamera camera = cameraOf(which);
-    Options options;
-    options.estimator = Estimator::LayeredIntervals;
-    options.radius = 0.1F * model.bounds().diagonal();
-    options.cubeMaps.faceSize = 128;
-    const Picture traced =
-        traceView(model, camera, kRepairWidth, kRepairHeight, options.radius, 1024);
-    const FloatImage truth = visibilityOf(traced);
+    auto [model, camera, options, truth] =
+        TrueView({"town", "square"}, Estimator::LayeredIntervals);
     FloatImage before; // with another budget
     for (const float budget : {20.0F, 0.0F}) {
         options.frameBudget = budget;

@@ -2,6 +2,7 @@
 // that estimators/layered_intervals.glsl runs in. With AO_VIEW_FACE, what a camera in the centre sees is
 // looked up in its own, finer texels: a seventh face.
 #include "shared/cube_faces.h"
+#include "shared/folded_place.h"
 #include "shared/octahedral.h"
 
 // The layers of each face, one face after the other: entry (-1 none), exit, octahedral normal.
@@ -65,28 +66,10 @@ float footprintAt(Texel texel, vec3 position) {
     return 2.0 * dot(position, faceForward(texel.face)) / float(uFaceSize);
 }
 
-// A texel's place on its face, turned in quarters about the middle into the first quadrant: the same for
-// all texels that a turn of the cube onto itself takes to each other.
-struct Folded {
-    ivec2 at;
-    int quarters;
-};
-
-Folded fold(Texel texel) {
-    ivec2 c = 2 * texel.at + 1 - uFaceSize;
-    bool left = c.x <= 0 && c.y > 0;
-    bool opposite = c.x < 0 && c.y <= 0;
-    bool below = c.x >= 0 && c.y < 0;
-    return left       ? Folded(ivec2(c.y, -c.x), 1)
-           : opposite ? Folded(-c, 2)
-           : below    ? Folded(ivec2(-c.y, c.x), 3)
-                      : Folded(c, 0);
-}
-
 // A number for each texel, which turns along with the cube.
 uint numberOf(Texel texel) {
-    Folded folded = fold(texel);
-    return uint(folded.at.x) + uint(2 * uFaceSize) * uint(folded.at.y);
+    ivec2 place = foldedPlace(texel.at, uFaceSize).at;
+    return uint(place.x) + uint(2 * uFaceSize) * uint(place.y);
 }
 
 // A direction from which slices are counted, which does so, too; never that of the texel's ray.
@@ -96,9 +79,7 @@ vec3 slicesFrom(Texel texel) {
         return normalize(uFrustumRays[0]);
     }
 #endif
-    int quarters = fold(texel).quarters;
-    vec3 axis = (quarters & 1) == 0 ? faceRight(texel.face) : faceUp(texel.face);
-    return quarters < 2 ? axis : -axis;
+    return turnedRight(texel.face, foldedPlace(texel.at, uFaceSize).quarters);
 }
 
 vec3 rayOf(Texel texel) {

@@ -9,6 +9,7 @@
 #include "raytracing/GroupTracer.h"
 #include "raytracing/SurfaceFinder.h"
 #include "raytracing/SurfaceGroup.h"
+#include "shared/folded_place.h"
 
 namespace aolib {
 
@@ -73,7 +74,13 @@ public:
     TracedTexels&& result() { return std::move(result_); }
 
 private:
+    struct RayPattern {
+        glm::dmat3 basis;
+        SequenceSeed seed;
+    };
+
     bool traceBlock(int column, int row);
+    RayPattern rayPattern(const SurfaceFinder::Texel& texel, const glm::dvec3& normal) const;
     bool traceGroup();
 
     const RayScene& scene_;
@@ -130,14 +137,33 @@ bool RequestTracer::traceBlock(int column, int row) {
         result_.distance[places[i]] = static_cast<float>(seen[i]->hit.distance);
         result_.normal[places[i]] = glm::vec3(seen[i]->normal);
         const glm::dvec3 lifted = seen[i]->hit.position + seen[i]->hit.clearance * seen[i]->normal;
-        group_.add({glm::vec3(scene_.toFrame(lifted)), glm::mat3(basisAbout(seen[i]->normal)),
-                    sequenceSeed(request.face, request.x + texels[i].x, request.y + texels[i].y),
-                    places[i]});
+        const RayPattern pattern = rayPattern(texels[i], seen[i]->normal);
+        group_.add(
+            {glm::vec3(scene_.toFrame(lifted)), glm::mat3(pattern.basis), pattern.seed, places[i]});
         if (group_.full() && !traceGroup()) {
             return false;
         }
     }
     return keepGoing_();
+}
+
+/// How a texel's rays are spread about its normal: by where it lies on its face, so that the
+/// pattern turns with the cube. Lines of sight have no face; their places alone count.
+RequestTracer::RayPattern RequestTracer::rayPattern(const SurfaceFinder::Texel& texel,
+                                                    const glm::dvec3& normal) const {
+    const TexelRequest& request = result_.request;
+    const glm::ivec2 at(request.x + texel.x, request.y + texel.y);
+    if (!request.sights.empty()) {
+        return {basisAbout(normal), sequenceSeed(request.face, at.x, at.y)};
+    }
+    const shared::FoldedPlace place = shared::foldedPlace(at, request.faceSize);
+    const auto axisAfter = [&](int quarters) {
+        return glm::dvec3(shared::turnedRight(request.face, (place.quarters + quarters) & 3));
+    };
+    const bool sideways = std::abs(glm::dot(axisAfter(0), normal)) > 0.9;
+    const glm::dvec3 axis = axisAfter(sideways ? 1 : 0);
+    const glm::dvec3 right = glm::normalize(axis - glm::dot(axis, normal) * normal);
+    return {{right, glm::cross(normal, right), normal}, sequenceSeed(0, place.at.x, place.at.y)};
 }
 
 /// Cuts the rays into chunks that are as long as they can be: a power of two, starting at a

@@ -153,9 +153,8 @@ TEST_P(FrameOfReferenceGLTest, AQuarterTurnTakesEveryTexelAlong) {
             const Change change = changeOfTexels(before, turnedShot(turn, o), turn);
             report(high ? "high quality 99th percentile" : "99th percentile", change.p99);
             report(high ? "high quality max" : "max", change.max);
-            // Every texel has noise of its own.
-            EXPECT_LE(change.p99, high ? forEach(0.01, 0.001, 0.01) : forEach(0.01, 0.001, 0.04));
-            EXPECT_LE(change.max, high ? forEach(0.2, 0.01, 0.03) : forEach(0.2, 0.01, 0.1));
+            EXPECT_LE(change.p99, forEach(0.01, 0.001, 0.001));
+            EXPECT_LE(change.max, forEach(0.2, 0.01, 0.01));
             EXPECT_LE(change.missing, 0.002);
         }
     }

@@ -175,9 +175,7 @@ Status LayeredPixels::begin(const RestingView& view) {
     if (!around) {
         return around.status();
     }
-    work_.emplace();
-    work_->around = std::move(*around);
-    work_->tiles = tilesOf(view.frame.size);
+    work_ = Work{.around = std::move(*around), .sums = {}, .tiles = tilesOf(view.frame.size)};
     stage_ = Stage::Capture;
     return {};
 }

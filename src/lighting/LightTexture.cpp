@@ -44,9 +44,11 @@ void setSampling(const gl::Functions& gl, GLenum target, GLint minFilter, GLint 
     gl.TexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
 }
 
-Status checkWidth(const gl::Functions& gl, GLenum target, int wanted, const std::string& label) {
+/// Whether GL had memory for a level, or for a cube map's face.
+Status checkWidth(const gl::Functions& gl, GLenum target, int level, int wanted,
+                  const std::string& label) {
     GLint width = 0;
-    gl.GetTexLevelParameteriv(target, 0, GL_TEXTURE_WIDTH, &width);
+    gl.GetTexLevelParameteriv(target, level, GL_TEXTURE_WIDTH, &width);
     if (width != wanted) {
         return {StatusCode::OutOfMemory, label + ": no memory for its texels"};
     }
@@ -93,7 +95,7 @@ Result<LightTexture> uploadLayers(const gl::Functions& gl, const std::string& la
                   cut(values).data());
     setSampling(gl, GL_TEXTURE_2D_ARRAY, GL_LINEAR, 0);
     made->bytes = values.size() * bytesOfHalves;
-    if (Status status = checkWidth(gl, GL_TEXTURE_2D_ARRAY, size.x, label); !status) {
+    if (Status status = checkWidth(gl, GL_TEXTURE_2D_ARRAY, 0, size.x, label); !status) {
         return status;
     }
     return made;
@@ -130,6 +132,9 @@ Result<LightTexture> uploadMap(const gl::Functions& gl, const EnvironmentMap& ma
         const std::vector<glm::vec3> values = cut(level.radiance);
         gl.TexImage2D(GL_TEXTURE_2D, number, GL_RGB16F, level.width, level.height, 0, GL_RGB,
                       GL_FLOAT, values.data());
+        if (Status status = checkWidth(gl, GL_TEXTURE_2D, number, level.width, label); !status) {
+            return status;
+        }
         made->bytes += values.size() * bytesOfHalves;
         if (level.width == 1 && level.height == 1) {
             break;
@@ -137,9 +142,6 @@ Result<LightTexture> uploadMap(const gl::Functions& gl, const EnvironmentMap& ma
         level = halved(level);
     }
     setSampling(gl, GL_TEXTURE_2D, GL_LINEAR_MIPMAP_LINEAR, number);
-    if (Status status = checkWidth(gl, GL_TEXTURE_2D, map.width, label); !status) {
-        return status;
-    }
     return made;
 }
 
@@ -154,7 +156,8 @@ Result<LightTexture> uploadAngles(const gl::Functions& gl, int size) {
     }
     std::vector<std::uint8_t> texels(2U * static_cast<std::size_t>(size) *
                                      static_cast<std::size_t>(size));
-    for (int face = 0; face < 6; ++face) {
+    Status status;
+    for (int face = 0; face < 6 && status; ++face) {
         std::size_t texel = 0;
         for (int y = 0; y < size; ++y) {
             for (int x = 0; x < size; ++x) {
@@ -165,16 +168,15 @@ Result<LightTexture> uploadAngles(const gl::Functions& gl, int size) {
                 texels[texel++] = static_cast<std::uint8_t>(std::lround(255.0F * place.y));
             }
         }
-        gl.TexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face), 0, GL_RG8, size,
-                      size, 0, GL_RG, GL_UNSIGNED_BYTE, texels.data());
+        const GLenum target = GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face);
+        gl.TexImage2D(target, 0, GL_RG8, size, size, 0, GL_RG, GL_UNSIGNED_BYTE, texels.data());
+        status = checkWidth(gl, target, 0, size, label);
     }
     setSampling(gl, GL_TEXTURE_CUBE_MAP, GL_NEAREST, 0);
     gl.TexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    GLint width = 0;
-    gl.GetTexLevelParameteriv(GL_TEXTURE_CUBE_MAP_POSITIVE_X, 0, GL_TEXTURE_WIDTH, &width);
     gl.BindTexture(GL_TEXTURE_CUBE_MAP, static_cast<GLuint>(bound));
-    if (width != size) {
-        return Status(StatusCode::OutOfMemory, label + ": no memory for its texels");
+    if (!status) {
+        return status;
     }
     made->bytes = 6 * texels.size();
     return made;

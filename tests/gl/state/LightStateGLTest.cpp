@@ -1,37 +1,71 @@
 // aolib::lighting is a good guest, too.
 #include <aolib/lighting/EnvironmentLight.h>
 
-#include "Dice.h"
-#include "HostTest.h"
+#include "FaultTest.h"
 
 namespace aolib {
 namespace {
 
-class LightStateGLTest : public HostTest {};
+class LightStateGLTest : public HostTest {
+protected:
+    static lighting::EnvironmentMap sky() {
+        return {7, 3, std::vector<glm::vec3>(21, glm::vec3(0.5F))};
+    }
+    static lighting::EnvironmentLightOptions small() {
+        lighting::EnvironmentLightOptions options;
+        options.cones = {.columns = 8, .rows = 4, .apertures = 3};
+        options.sectors = true;
+        options.angles = true;
+        options.anglesSize = 8;
+        return options;
+    }
+};
 
 TEST_P(LightStateGLTest, MakingAndDroppingALightChangesNoState) {
-    lighting::EnvironmentMap sky{7, 3, std::vector<glm::vec3>(21, glm::vec3(0.5F))};
-    lighting::EnvironmentLightOptions options;
-    options.cones = {.columns = 8, .rows = 4, .apertures = 3};
-    options.angles = true;
-    options.anglesSize = 8;
+    lighting::EnvironmentLightOptions options = small();
     for (unsigned seed = 0; seed < seeds(12); ++seed) {
         Dice dice(seed);
         poison->apply(dice, poison->randomView(dice), /*conditional=*/false);
         const HostState::Snapshot before = state->snapshot();
         {
-            const auto light = lighting::EnvironmentLight::create(loader, sky, options);
+            const auto light = lighting::EnvironmentLight::create(loader, sky(), options);
             ASSERT_TRUE(light) << seed << ": " << light.status().message();
             EXPECT_EQ(state->difference(before, state->snapshot()), "") << seed;
         }
         EXPECT_EQ(state->difference(before, state->snapshot()), "") << seed;
         options.anglesSize = 0; // refused
-        EXPECT_FALSE(lighting::EnvironmentLight::create(loader, sky, options));
+        EXPECT_FALSE(lighting::EnvironmentLight::create(loader, sky(), options));
         options.anglesSize = 8;
         EXPECT_EQ(state->difference(before, state->snapshot()), "") << seed;
         poison->calm();
     }
     (void)takeDriverMessages();
+}
+
+TEST_P(LightStateGLTest, WhatGlRefusesEndsInAStatus) {
+    FaultyLoader faulty(loader);
+    for (int kind = 0; kind < kFaults; ++kind) {
+        const auto fault = static_cast<Fault>(kind);
+        for (int n = 1;; ++n) {
+            Dice dice(static_cast<unsigned>(n));
+            poison->apply(dice, HostView{});
+            const HostState::Snapshot clean = state->snapshot();
+            const std::string where = std::string(faultName(fault)) + " " + std::to_string(n);
+            faulty.failAt(fault, n);
+            const Status status =
+                lighting::EnvironmentLight::create(faulty.loader(), sky(), small()).status();
+            EXPECT_EQ(state->difference(clean, state->snapshot()), "") << where;
+            EXPECT_EQ(faulty.alive(), "") << where;
+            if (!faulty.failed()) {
+                EXPECT_TRUE(status.ok()) << where << ": " << status.message();
+                break;
+            }
+            EXPECT_TRUE(isSensible(fault, status.code()))
+                << where << ": " << statusName(status.code()) << ", " << status.message();
+            ASSERT_FALSE(HasFailure());
+        }
+    }
+    poison->calm();
 }
 
 AOLIB_FOR_ALL_CONTEXTS(LightStateGLTest);

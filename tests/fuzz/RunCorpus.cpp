@@ -1,11 +1,15 @@
 // Runs a fuzz target over the files of a folder, each as it is and with some hundred changes of its
-// bytes: what every build can do. Without an argument or a file it fails.
+// bytes: what every build can do. Arguments: the folder and, optionally, how many changes. Without
+// a folder or a file it fails.
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <iterator>
 #include <random>
+#include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "FuzzTarget.h"
@@ -14,7 +18,7 @@ namespace {
 
 using Input = std::vector<std::uint8_t>;
 
-constexpr int kVariants = 400; ///< of each file
+constexpr int kVariants = 400; ///< of each file, unless told otherwise
 
 /// One to eight bytes changed, cut off, doubled or put elsewhere.
 Input changed(Input input, std::mt19937& random) {
@@ -47,7 +51,14 @@ Input changed(Input input, std::mt19937& random) {
 
 int main(int argc, char** argv) {
     std::vector<std::filesystem::path> files;
-    if (argc == 2) {
+    int variants = kVariants;
+    if (argc == 3) {
+        const std::string_view text(argv[2]);
+        if (std::from_chars(text.data(), text.data() + text.size(), variants).ec != std::errc()) {
+            return 2;
+        }
+    }
+    if (argc == 2 || argc == 3) {
         for (const auto& entry : std::filesystem::directory_iterator(argv[1])) {
             files.push_back(entry.path());
         }
@@ -59,7 +70,7 @@ int main(int argc, char** argv) {
         const Input input{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
         std::cout << file.filename().string() << ", " << input.size() << " bytes" << std::endl;
         LLVMFuzzerTestOneInput(input.data(), input.size());
-        for (int i = 0; i < kVariants; ++i) {
+        for (int i = 0; i < variants; ++i) {
             const Input variant = changed(input, random);
             LLVMFuzzerTestOneInput(variant.data(), variant.size());
         }

@@ -1,4 +1,5 @@
-// A long walk through more rooms than the memory budget has room for: memory and objects stay flat.
+// A long walk through more rooms than the memory budget has room for, with stops at which the view
+// rests until its pixels are computed, too: memory and objects stay flat.
 // AOLIB_SOAK_FRAMES sets its length, and has the dearer estimators walk it too.
 #include <array>
 #include <charconv>
@@ -26,8 +27,10 @@ protected:
     static constexpr int kUsualFrames = 2 * kFramesPerLap;
     /// From one frame of a long walk in which GL is asked to the next: prime to those of a lap.
     static constexpr int kFramesBetween = 7;
-    static constexpr int kFaceSize = 128; ///< the least that has detail
-    static constexpr int kCubeMaps = 3;   ///< that the budget has room for
+    static constexpr int kFramesToStop = 40; ///< from one stop to the next
+    static constexpr int kMostAtStop = 400;  ///< frames: a cube map alone takes 32 to come in
+    static constexpr int kFaceSize = 128;    ///< the least that has detail
+    static constexpr int kCubeMaps = 3;      ///< that the budget has room for
 
     void SetUp() override { open(testContexts().front()); }
 
@@ -57,10 +60,10 @@ protected:
     }
 
     /// Walks on, and looks about.
-    static void step(SmallHost& host, int frame) {
-        const float turn = 2.0F * static_cast<float>(frame % kFramesPerLap) / kFramesPerLap;
+    static void step(SmallHost& host, int steps) {
+        const float turn = 2.0F * static_cast<float>(steps % kFramesPerLap) / kFramesPerLap;
         const glm::vec3 eye = walkedTo((turn < 1.0F ? turn : 2.0F - turn) * (kRooms - 1));
-        const float angle = 1.3F * std::sin(0.11F * static_cast<float>(frame));
+        const float angle = 1.3F * std::sin(0.11F * static_cast<float>(steps));
         const float ahead = turn < 1.0F ? 1.0F : -1.0F;
         host.lookAt(eye, eye + glm::vec3(ahead * std::cos(angle), -0.1F, std::sin(angle)));
     }
@@ -78,7 +81,15 @@ protected:
         std::size_t bytes = 0;   ///< of the context, less what is on its way
         std::size_t objects = 0; ///< of GL
         std::size_t resident = 0;
+        std::size_t atRest = 0; ///< pixels of a view at rest
     };
+
+    /// Whether the view is to stay for another frame.
+    static bool stays(int steps, int framesAtStop, const Statistics& s) {
+        return GetParam() != Estimator::HorizonSplit && // it leaves pixels to texels
+               steps % kFramesToStop == 0 && framesAtStop < kMostAtStop &&
+               !(s.converged && framesAtStop > 0);
+    }
 };
 
 TEST_P(SoakGLTest, MemoryAndObjectsStayFlat) {
@@ -88,18 +99,29 @@ TEST_P(SoakGLTest, MemoryAndObjectsStayFlat) {
     }
     const int count = std::max(asked, kUsualFrames);
     SmallHost host(gl, loader, rooms(kRooms), options(), 160, 90);
-    host.ao().setTexelTracer(std::move(*createTexelTracer(1)));
+    if (GetParam() == Estimator::RayTraced) { // else it would trace pixels at rest for the others
+        host.ao().setTexelTracer(std::move(*createTexelTracer(1)));
+    }
     const GlObjects objects(gl, loader);
     const std::size_t budget =
         static_cast<std::size_t>(kCubeMaps * kFaces) * FaceStore::bytesPerLayer(kFaceSize);
     const int every = count > 10 * kUsualFrames ? kFramesBetween : 1;
     std::array<Most, 2> most; // of the first half, of the second
-    for (int frame = 0; frame < count; ++frame) {
-        step(host, frame);
+    int atStop = 0;
+    int frame = 0;
+    for (int steps = 0; steps < count; ++frame) {
+        step(host, steps);
         ASSERT_TRUE(host.frame().ok()) << host.ao().lastStatus().message();
         const Statistics s = host.ao().statistics();
         ASSERT_LE(s.bytesKept, budget) << "frame " << frame;
-        Most& half = most.at(frame < count / 2 ? 0 : 1);
+        Most& half = most.at(steps < count / 2 ? 0 : 1);
+        if (stays(steps, atStop, s)) {
+            ++atStop;
+        } else {
+            atStop = 0;
+            ++steps;
+        }
+        half.atRest = std::max(half.atRest, s.pixelsRepaired);
         half.kept = std::max(half.kept, s.bytesKept);
         if (frame % every != 0) {
             continue;
@@ -125,7 +147,10 @@ TEST_P(SoakGLTest, MemoryAndObjectsStayFlat) {
         RecordProperty(which + "bytes in GL", std::to_string(half.bytes));
         RecordProperty(which + "objects in GL", std::to_string(half.objects));
         RecordProperty(which + "resident bytes", std::to_string(half.resident));
+        RecordProperty(which + "pixels at rest", std::to_string(half.atRest));
+        EXPECT_EQ(half.atRest > 0, GetParam() != Estimator::HorizonSplit) << which << "at rest";
     }
+    RecordProperty("frames", std::to_string(frame));
     RecordProperty("evicted", std::to_string(s.cubeMapsEvicted));
 }
 

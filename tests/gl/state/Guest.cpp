@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include <aolib/RayTracing.h>
 #include <gtest/gtest.h>
 
 #include "HostObjects.h"
@@ -17,6 +18,7 @@ namespace {
 
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 constexpr std::size_t kMaxCubeMaps = 4;
+constexpr float kTightBudget = 0.02F; ///< MiB: two cube maps or three
 
 } // namespace
 
@@ -169,6 +171,39 @@ struct GuestCalls {
         change(options);
         frame();
     }
+    void pace() {
+        Options options = ao().options();
+        options.frameBudget = dice.chance(0.5) ? 0.0F : 1.0F;
+        options.cubeMaps.repair = dice.chance(0.7);
+        options.cubeMaps.projection =
+            dice.chance(0.5) ? ProjectionMethod::SinglePass : ProjectionMethod::PingPong;
+        options.cubeMaps.memoryBudget = dice.chance(0.5) ? 512.0F : kTightBudget;
+        change(options);
+    }
+    /// Frames of a view that does not move, or of textures: layered intervals, or rays.
+    void rest() {
+        Options options = ao().options();
+        const Options before = options;
+        options.estimator = dice.chance(0.7) ? Estimator::LayeredIntervals : Estimator::RayTraced;
+        options.rayTraced.rays = 4;
+        options.frameBudget = 0.0F;
+        options.cubeMaps.repair = true;
+        if (options.estimator == Estimator::RayTraced) {
+            ao().setTexelTracer(std::move(*createTexelTracer(1)));
+        }
+        change(options);
+        if (ao().cubeMaps().empty()) {
+            addCubeMap();
+        }
+        for (int i = dice.between(2, 4); i > 0; --i) {
+            situation.frame == StatusCode::Ok ? frame() : apply();
+        }
+        guest.pixelsAtRest_ += ao().statistics().pixelsRepaired;
+        if (dice.chance(0.5)) {
+            ao().setTexelTracer({});
+        }
+        change(before);
+    }
     void appearance() {
         Options options = ao().options();
         options.contrast = static_cast<float>(dice.between(0, 4)) * 0.25F;
@@ -201,7 +236,9 @@ struct GuestCalls {
         if (ao().cubeMaps().size() >= kMaxCubeMaps) {
             expect(StatusCode::Ok, ao().removeCubeMap(someCubeMap()));
         }
-        expect(StatusCode::Ok, ao().addCubeMap(somewhere()));
+        const auto added = ao().addCubeMap(somewhere());
+        const bool tight = ao().options().cubeMaps.memoryBudget == kTightBudget;
+        expect(!added && tight ? StatusCode::OutOfMemory : StatusCode::Ok, added);
     }
     void addCubeMapRefused() {
         expect(StatusCode::InvalidPosition, ao().addCubeMap({0, kNaN, 0}));
@@ -284,6 +321,38 @@ struct GuestCalls {
         (void)ao().statistics();
         (void)ao().cubeMaps();
         (void)ao().lastStatus();
+        int told = 0;
+        ao().setMessageSink([&told](const Status&) { ++told; });
+        expect(StatusCode::InvalidCallOrder, ao().aoEnd());
+        ao().setMessageSink({});
+        expect(StatusCode::InvalidCallOrder, ao().aoEnd());
+        if (told != 1) {
+            fault.append("the sink was told ").append(std::to_string(told)).append(" failures; ");
+        }
+    }
+    /// A triangle, one vertex at a time.
+    void describeMesh() {
+        const bool broken = dice.chance(0.3);
+        expect(StatusCode::Ok, ao().meshBegin());
+        expect(StatusCode::Ok, ao().aoNormal3f(0, 1, 0));
+        for (int i = 0; i < 3; ++i) {
+            const glm::vec3 at = somewhere();
+            expect(StatusCode::Ok, ao().aoVertex3f(at.x, at.y, at.z));
+        }
+        expect(StatusCode::Ok, ao().aoBegin(AO_TRIANGLES));
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            const bool wrong = broken && i == 2;
+            expect(wrong ? StatusCode::InvalidIndex : StatusCode::Ok,
+                   ao().aoVertexIndex(wrong ? 77 : i));
+        }
+        expect(broken ? StatusCode::IncompletePrimitive : StatusCode::Ok, ao().aoEnd());
+        const Result<MeshId> mesh = ao().meshEnd();
+        expect(broken ? StatusCode::InvalidIndex : StatusCode::Ok, mesh);
+        frame();
+        if (mesh) {
+            expect(StatusCode::Ok, ao().removeMesh(*mesh));
+            expect(StatusCode::UnknownMesh, ao().removeMesh(*mesh));
+        }
     }
     void moveMesh() {
         const glm::mat4 transform = glm::translate(glm::mat4(1.0F), somewhere() * 0.2F);
@@ -314,14 +383,16 @@ struct NamedCall {
 };
 
 constexpr std::array kCalls{
-    NamedCall{"create, destroy", &GuestCalls::create, 3},
+    NamedCall{"create, destroy", &GuestCalls::create, 4},
     NamedCall{"create, refused", &GuestCalls::createRefused, 20},
     NamedCall{"move the instance", &GuestCalls::move, 5},
     NamedCall{"setOptions: estimate", &GuestCalls::estimate, 30},
     NamedCall{"setOptions: appearance", &GuestCalls::appearance, 60},
+    NamedCall{"setOptions: pace", &GuestCalls::pace, 40},
+    NamedCall{"a view at rest", &GuestCalls::rest, 9},
     NamedCall{"setOptions, refused", &GuestCalls::optionsRefused, 20},
     NamedCall{"setOptions: estimator", &GuestCalls::exchangeEstimator, 6},
-    NamedCall{"setOptions: backbone", &GuestCalls::exchangeBackbone, 2},
+    NamedCall{"setOptions: backbone", &GuestCalls::exchangeBackbone, 4},
     NamedCall{"addCubeMap", &GuestCalls::addCubeMap, 40},
     NamedCall{"addCubeMap, refused", &GuestCalls::addCubeMapRefused, 20},
     NamedCall{"removeCubeMap", &GuestCalls::removeCubeMap, 20},
@@ -336,6 +407,7 @@ constexpr std::array kCalls{
     NamedCall{"readVisibility", &GuestCalls::readVisibility, 30},
     NamedCall{"readCubeMap", &GuestCalls::readCubeMap, 30},
     NamedCall{"statistics, cubeMaps", &GuestCalls::look, 30},
+    NamedCall{"meshBegin ... meshEnd", &GuestCalls::describeMesh, 20},
     NamedCall{"moveMesh and a frame", &GuestCalls::moveMesh, 40},
     NamedCall{"replaceMesh and frames", &GuestCalls::replaceMesh, 30}};
 

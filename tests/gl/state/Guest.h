@@ -43,6 +43,8 @@ public:
     };
     Outcome call(Dice& dice, const Situation& situation);
     static std::size_t kinds();
+    /// Pixels that were computed for views at rest so far.
+    std::size_t pixelsAtRest() const { return pixelsAtRest_; }
 
 private:
     friend struct GuestCalls;
@@ -58,6 +60,7 @@ private:
     bool throws_ = false;                   ///< that renderer does
     std::vector<MeshId> meshes_;
     bool hadFrame_ = false;
+    std::size_t pixelsAtRest_ = 0;
 };
 
 } // namespace aolib

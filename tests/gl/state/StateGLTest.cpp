@@ -119,6 +119,7 @@ TEST_P(StateGLTest, EveryCallLeavesEveryStateAsItWas) {
     callInStates(guest, count);
     if (count >= 300) {
         EXPECT_EQ(called_.size(), Guest::kinds()) << "some call was never drawn";
+        EXPECT_GT(guest.pixelsAtRest(), 0U) << "no view was at rest";
     }
 }
 

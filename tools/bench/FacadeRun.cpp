@@ -126,6 +126,11 @@ Measurement FacadeRun::measure(const FacadeMethod& method, const BenchCase& whic
     return m;
 }
 
+std::vector<float> FacadeRun::drawDepths(const NamedCamera& camera) {
+    impl_->frames.setCamera(camera);
+    return impl_->frames.drawDepths();
+}
+
 Status FacadeRun::Impl::buildOnce(const FacadeMethod& method,
                                   const std::vector<glm::vec3>& positions, const Truth& truth,
                                   const Patience& patience, Measurement& m, Gathered& all) {

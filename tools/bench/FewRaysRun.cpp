@@ -60,8 +60,9 @@ void tracePicture(const RayScene& scene, float radius, const std::vector<Surface
 Measurement measureFewRays(const FewRaysMethod& method, const OpenedScene& scene,
                            const BenchCase& which, const Truth& truth, const PictureSize& size,
                            const Patience& patience) {
-    const Receivers seen =
-        findReceivers(scene.rays, scene.cameras[which.camera], size, allPixels(size));
+    const NamedCamera& camera = scene.cameras[which.camera];
+    Receivers seen = findReceivers(scene.rays, camera, size, allPixels(size));
+    followPicture(scene.rays, camera, size, truth.drawn, seen);
     const std::vector<SurfaceGroup> groups = groupsOf(scene.rays, seen, size);
     const auto radius = static_cast<float>(which.radiusShare * scene.diagonal);
     const int rays = method.raysPerPixel;

@@ -34,6 +34,12 @@ void HostedFrames::setCamera(const NamedCamera& camera) {
     eye_ = camera.eye;
 }
 
+std::vector<float> HostedFrames::drawDepths() {
+    target_.bind();
+    renderer_.draw(view_, projection_);
+    return target_.readDepth();
+}
+
 Result<FrameTimes> HostedFrames::draw(AmbientOcclusion& ao, PassTimer* timer) {
     if (Status status = ao.aoSetCamera(view_, projection_); !status) {
         return status;

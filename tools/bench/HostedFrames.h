@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <vector>
 
 #include <aolib/AmbientOcclusion.h>
 #include <glm/mat4x4.hpp>
@@ -41,6 +42,8 @@ public:
     Result<FrameTimes> drawTimed(AmbientOcclusion& ao, PassTimer& timer) {
         return draw(ao, &timer);
     }
+    /// What the host alone draws: depths of all pixels, 0 to 1, row 0 at the bottom.
+    std::vector<float> drawDepths();
     void finish() const { gl_->Finish(); }
 
 private:

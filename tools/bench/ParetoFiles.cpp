@@ -66,6 +66,7 @@ Json toJson(const ParetoRow& row) {
             {"bytes_capture", m.bytesCapture},
             {"bytes_frame", m.bytesFrame},
             {"truth_noise", row.truthNoise},
+            {"truth_receivers_moved", row.truthMoved},
             {"frame_passes_ms", toJson(m.framePasses)},
             {"build_passes_ms", toJson(m.buildPasses)},
             {"ms_rmse", std::move(path)}};

@@ -104,10 +104,10 @@ std::string Pareto::runScene(const std::vector<BenchCase>& cases) {
 }
 
 std::string Pareto::runCase(const OpenedScene& scene, FacadeRun& facade, const BenchCase& which) {
-    ParetoRow row{which, scene.cameras[which.camera].name, {}, 0.0, {}};
+    ParetoRow row{which, scene.cameras[which.camera].name, {}, 0.0, 0, {}};
     announce(caseName(row) + ": truth");
     const Clock::time_point tracing = Clock::now();
-    const Loaded<Truth> truth = bench::traceTruth(scene, which, settings_.truth, settings_.cache);
+    Loaded<Truth> truth = bench::traceTruth(scene, which, settings_.truth, settings_.cache);
     if (!truth) {
         return truth.sentence();
     }
@@ -115,6 +115,12 @@ std::string Pareto::runCase(const OpenedScene& scene, FacadeRun& facade, const B
         leaveOut({which}, caseName(row) + ": the camera sees nothing");
         return "";
     }
+    const Loaded<std::size_t> moved = followPicture(
+        scene, which, settings_.truth, facade.drawDepths(scene.cameras[which.camera]), *truth);
+    if (!moved) {
+        return moved.sentence();
+    }
+    row.truthMoved = *moved;
     left_.done(settings_.methods.size(), millisecondsSince(tracing) / kMsPerSecond);
     row.truthNoise = truth->noise;
     for (std::size_t i = 0; i < settings_.methods.size(); ++i) {

@@ -34,6 +34,7 @@ struct ParetoRow {
     std::string camera;
     Method method;
     double truthNoise = 0.0;
+    std::size_t truthMoved = 0; ///< its receivers that follow the picture instead of their ray
     Measurement measured;
 };
 

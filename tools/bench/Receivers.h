@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "content/NamedCamera.h"
@@ -36,6 +37,15 @@ std::vector<std::uint32_t> allPixels(const PictureSize& size);
 /// What a camera sees in the pixels given, between its near and far plane.
 Receivers findReceivers(const RayScene& scene, const NamedCamera& camera, const PictureSize& size,
                         const std::vector<std::uint32_t>& pixels);
+
+/// Moves receivers to what a rasteriser drew in their pixels: at silhouettes its picture shows, now
+/// and then, another surface than the ray through the pixel's centre meets, since it rounds
+/// vertices to a grid. Where none within a 64th of a pixel has the depth that was drawn, they stay.
+/// @param depths  of all pixels, 0 (the near plane) to 1; empty moves none.
+/// @return which have moved.
+std::vector<std::size_t> followPicture(const RayScene& scene, const NamedCamera& camera,
+                                       const PictureSize& size, std::span<const float> depths,
+                                       Receivers& seen);
 
 /// What lies behind a point of the picture.
 struct Look {

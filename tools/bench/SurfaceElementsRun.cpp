@@ -32,8 +32,9 @@ double drawFrame(const SurfaceElements& elements, const Receivers& seen,
 Measurement measureSurfaceElements(const SurfaceElementsMethod& method, const OpenedScene& scene,
                                    const BenchCase& which, const Truth& truth,
                                    const PictureSize& size, const Patience& patience) {
-    const Receivers seen =
-        findReceivers(scene.rays, scene.cameras[which.camera], size, allPixels(size));
+    const NamedCamera& camera = scene.cameras[which.camera];
+    Receivers seen = findReceivers(scene.rays, camera, size, allPixels(size));
+    followPicture(scene.rays, camera, size, truth.drawn, seen);
     SurfaceElements::Settings settings;
     settings.radius = which.radiusShare * scene.diagonal;
     settings.elements = static_cast<std::size_t>(method.elements);

@@ -12,6 +12,27 @@ namespace {
 /// Named in the key: raise it when the way of tracing changes.
 constexpr int kTracingVersion = 1;
 
+Loaded<VisibilityList> trace(const OpenedScene& scene, const BenchCase& which,
+                             const TruthSettings& settings, const std::vector<Receiver>& points,
+                             const TraceProgress& progress) {
+    TraceSettings tracing;
+    tracing.rays = settings.rays;
+    tracing.radius = which.radiusShare * scene.diagonal;
+    tracing.seed = settings.seed;
+    const Result<VisibilityTracer> tracer = VisibilityTracer::create(scene.rays, tracing);
+    if (!tracer) {
+        return LoadError{scene.entry.name + ": " + tracer.status().message()};
+    }
+    Result<VisibilityList> traced = tracer->trace(points, progress);
+    if (!traced) {
+        return LoadError{scene.entry.name + ": " + traced.status().message()};
+    }
+    if (!traced->complete) {
+        return LoadError{scene.entry.name + ": tracing was cancelled"};
+    }
+    return std::move(*traced);
+}
+
 void write(std::ostream& text, const glm::vec3& v) {
     text << v.x << ' ' << v.y << ' ' << v.z << '\n';
 }
@@ -50,20 +71,9 @@ Loaded<Truth> traceTruth(const OpenedScene& scene, const BenchCase& which,
         truth.fromCache = true;
         return truth;
     }
-    TraceSettings tracing;
-    tracing.rays = settings.rays;
-    tracing.radius = which.radiusShare * scene.diagonal;
-    tracing.seed = settings.seed;
-    const Result<VisibilityTracer> tracer = VisibilityTracer::create(scene.rays, tracing);
-    if (!tracer) {
-        return LoadError{scene.entry.name + ": " + tracer.status().message()};
-    }
-    Result<VisibilityList> traced = tracer->trace(truth.receivers.points, progress);
+    Loaded<VisibilityList> traced = trace(scene, which, settings, truth.receivers.points, progress);
     if (!traced) {
-        return LoadError{scene.entry.name + ": " + traced.status().message()};
-    }
-    if (!traced->complete) {
-        return LoadError{scene.entry.name + ": tracing was cancelled"};
+        return LoadError{traced.sentence()};
     }
     truth.visibility = std::move(traced->visibility);
     truth.standardError = std::move(traced->standardError);
@@ -73,6 +83,28 @@ Loaded<Truth> traceTruth(const OpenedScene& scene, const BenchCase& which,
         return LoadError{reason};
     }
     return truth;
+}
+
+Loaded<std::size_t> followPicture(const OpenedScene& scene, const BenchCase& which,
+                                  const TruthSettings& settings, std::vector<float> depths,
+                                  Truth& truth) {
+    truth.drawn = std::move(depths);
+    const std::vector<std::size_t> moved = followPicture(
+        scene.rays, scene.cameras[which.camera], settings.size, truth.drawn, truth.receivers);
+    std::vector<Receiver> points;
+    for (const std::size_t i : moved) {
+        points.push_back(truth.receivers.points[i]);
+    }
+    const Loaded<VisibilityList> traced = trace(scene, which, settings, points, {});
+    if (!traced) {
+        return LoadError{traced.sentence()};
+    }
+    for (std::size_t i = 0; i < moved.size(); ++i) {
+        truth.visibility[moved[i]] = traced->visibility[i];
+        truth.standardError[moved[i]] = traced->standardError[i];
+    }
+    truth.noise = noiseOf(truth.standardError);
+    return moved.size();
 }
 
 } // namespace aolib::bench

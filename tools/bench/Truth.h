@@ -26,6 +26,7 @@ struct Truth {
     std::vector<float> visibility;    ///< W per receiver
     std::vector<float> standardError; ///< of each W
     double noise = 0.0;               ///< expected RMSE of W from sampling
+    std::vector<float> drawn;         ///< depths of the picture that receivers follow, or none
     bool fromCache = false;
 };
 
@@ -36,6 +37,13 @@ struct Truth {
 Loaded<Truth> traceTruth(const OpenedScene& scene, const BenchCase& which,
                          const TruthSettings& settings, const std::filesystem::path& cache,
                          const TraceProgress& progress = {});
+
+/// Makes a truth that of a picture: of the surfaces that were drawn (see followPicture()).
+/// @param depths  of all pixels, 0 to 1. @return how many receivers have moved, or what the tracer
+/// rejects.
+Loaded<std::size_t> followPicture(const OpenedScene& scene, const BenchCase& which,
+                                  const TruthSettings& settings, std::vector<float> depths,
+                                  Truth& truth);
 
 /// Everything that the truth of a case depends on, as text: the cache's key.
 std::string truthKey(const OpenedScene& scene, const BenchCase& which,

@@ -98,4 +98,15 @@ Result<ByteImage> HostFramebuffer::readColour() const {
     return picture;
 }
 
+std::vector<float> HostFramebuffer::readDepth() const {
+    bind();
+    gl_->BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+    gl_->PixelStorei(GL_PACK_ALIGNMENT, 4);
+    std::vector<float> depths(static_cast<std::size_t>(settings_.width) *
+                              static_cast<std::size_t>(settings_.height));
+    gl_->ReadPixels(0, 0, settings_.width, settings_.height, GL_DEPTH_COMPONENT, GL_FLOAT,
+                    depths.data());
+    return depths;
+}
+
 } // namespace aolib::host

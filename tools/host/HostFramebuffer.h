@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include <aolib/Status.h>
 
 #include "gl/Handle.h"
@@ -25,6 +27,10 @@ public:
     void bind() const;
     /// The colours, RGB, the bottom row first; waits for the GPU. Changes what is bound.
     Result<ByteImage> readColour() const;
+
+    /// Depths, 0 to 1, the bottom row first, of one without samples; waits for the GPU. Changes
+    /// what is bound.
+    std::vector<float> readDepth() const;
 
     const Settings& settings() const { return settings_; }
 

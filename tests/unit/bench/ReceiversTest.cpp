@@ -48,6 +48,55 @@ TEST(Receivers, LieOnTheSurfaceAndFaceTheEyeOnEitherSide) {
     }
 }
 
+/// Depths as a rasteriser would have drawn them whose pixels' centres are off by a share of a
+/// pixel.
+std::vector<float> depthsBeside(const OpenedScene& scene, const NamedCamera& camera,
+                                const PictureSize& size, double pixels) {
+    const double aspect = double(size.width) / double(size.height);
+    const glm::dmat4 toClip(projectionMatrix(camera, float(aspect)) * viewMatrix(camera));
+    std::vector<float> depths;
+    for (int i = 0; i < size.width * size.height; ++i) {
+        const Look look = lookThrough(scene.rays, camera, aspect,
+                                      (double(i % size.width) + 0.5 + pixels) / double(size.width),
+                                      (double(i / size.width) + 0.5) / double(size.height));
+        const glm::dvec4 clip =
+            look.hit ? toClip * glm::dvec4(look.hit->position, 1.0) : glm::dvec4(1.0);
+        depths.push_back(static_cast<float>(clip.z / clip.w * 0.5 + 0.5));
+    }
+    return depths;
+}
+
+TEST(Receivers, FollowWhatWasDrawnAHairBesideTheirRay) {
+    const Loaded<OpenedScene> scene = openBenchScene({"room", SceneKind::Generated, false});
+    ASSERT_TRUE(scene) << scene.sentence();
+    const NamedCamera& camera = scene->cameras.front();
+    constexpr PictureSize size{480, 270};
+    const Receivers seen = findReceivers(scene->rays, camera, size, allPixels(size));
+    const auto movedBy = [&](double pixels, Receivers& receivers) {
+        receivers = seen;
+        return followPicture(scene->rays, camera, size, depthsBeside(*scene, camera, size, pixels),
+                             receivers);
+    };
+    Receivers followed;
+    EXPECT_TRUE(followPicture(scene->rays, camera, size, {}, followed = seen).empty());
+    EXPECT_TRUE(movedBy(0.0, followed).empty());
+    const std::vector<std::size_t> moved = movedBy(1.0 / 64.0, followed);
+    ASSERT_FALSE(moved.empty());
+    EXPECT_LT(moved.size(), seen.pixels.size() / 100);
+    for (const std::size_t i : moved) {
+        const std::uint32_t pixel = seen.pixels[i];
+        const Look look = lookThrough(scene->rays, camera, 480.0 / 270.0,
+                                      (double(pixel % 480) + 0.5 + 1.0 / 64.0) / 480.0,
+                                      (double(pixel / 480) + 0.5) / 270.0);
+        ASSERT_TRUE(look.hit);
+        EXPECT_EQ(followed.hits[i].triangle, look.hit->triangle);
+        EXPECT_NEAR(glm::distance(followed.points[i].position, look.hit->position), 0.0, 1e-3);
+    }
+    // Where nothing has the depth that was drawn, they stay.
+    const std::vector<float> near(size.pixels(), 0.01F);
+    EXPECT_TRUE(followPicture(scene->rays, camera, size, near, followed = seen).empty());
+}
+
 TEST(CubeMapPositions, BeginAtTheEyeAndStayInFreeSpace) {
     const Loaded<OpenedScene> scene = openBenchScene({"room", SceneKind::Generated, false});
     ASSERT_TRUE(scene) << scene.sentence();

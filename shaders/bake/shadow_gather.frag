@@ -48,8 +48,9 @@ void main() {
     vec3 normal = texelFetch(uReceivers, ivec3(texel, 1), 0).xyz;
     vec3 plane = texelFetch(uReceivers, ivec3(texel, 2), 0).xyz;
     vec4 sum = vec4(0.0);
-    for (int i = 0; i < uCount; ++i) {
+    int i = 0;
+    do { // asks at its end: a software rasteriser runs the body once more otherwise
         sum += vec4(uDirections[i].xyz, 1.0) * visibility(i, position.xyz, normal, plane);
-    }
+    } while (++i < uCount);
     oSum = sum;
 }

@@ -20,9 +20,7 @@ void main() {
     vec3 normal = uEyeToWorld * surface.normal;
     float resolution = depthResolution(surface.t);
     Projected best = nothingProjected();
-    for (int cube = 0; cube < uCubes; ++cube) {
-        project(cube, eyeTo, normal, resolution, best);
-    }
+    projectAll(0, uCubes, eyeTo, normal, resolution, best);
     refine(eyeTo, normal, resolution, best);
     float d = rawDepth(pixel);
     if (best.doubt || isAlone(pixel, ivec2(1, 0), d, surface.t) ||

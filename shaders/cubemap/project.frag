@@ -44,9 +44,7 @@ void main() {
     vec3 eyeTo = uEyeToWorld * surface.eye;
     vec3 normal = uEyeToWorld * surface.normal;
     float resolution = depthResolution(surface.t);
-    for (int cube = uFirstCube; cube < uEndCube; ++cube) {
-        project(cube, eyeTo, normal, resolution, best);
-    }
+    projectAll(uFirstCube, uEndCube, eyeTo, normal, resolution, best);
     if (last) {
         for (int cube = 0; cube < uFirstCube; ++cube) {
             consider(cube, eyeTo, normal, best);

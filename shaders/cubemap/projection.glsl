@@ -142,8 +142,8 @@ float lookAbout(vec3 p, Grid grid, vec2 at, vec2 code, bool needed) {
     float sum = 0.0;
     float weights = 0.0;
     float scale = -1.0 / (footprint * footprint);
-    int quads = needed ? 4 : 0;
-    for (int i = 0; i < quads; ++i) {
+    int i = 0;
+    do {
         ivec2 corner = clamp(first + 2 * ivec2(i & 1, i >> 1), ivec2(0), grid.extent - 2);
         Quad quad = quadAt(grid, corner, code);
         vec4 x = quad.depth * quad.s - p.x;
@@ -153,8 +153,8 @@ float lookAbout(vec3 p, Grid grid, vec2 at, vec2 code, bool needed) {
         vec4 weight = exp2(max(scale * distance2, -100.0)) * quad.known;
         sum += dot(weight, quad.visibility);
         weights += dot(weight, vec4(1.0));
-    }
-    return weights > kLeastWeight ? sum / weights : -1.0;
+    } while (needed && ++i < 4);
+    return needed && weights > kLeastWeight ? sum / weights : -1.0;
 }
 
 float fourthPower(float x) {
@@ -216,6 +216,17 @@ void project(int cube, vec3 eyeTo, vec3 normal, float resolution, inout Projecte
         float weight = fourthPower(quality / best.quality);
         best.sum += weight * visibility;
         best.weights += weight;
+    }
+}
+
+// The same of the cube maps from `first` to before `end`. The loop asks at its end: a software rasteriser,
+// which has no branches but a loop's way back, would run its body once more to find that nobody goes on.
+void projectAll(int first, int end, vec3 eyeTo, vec3 normal, float resolution, inout Projected best) {
+    int cube = first;
+    if (cube < end) {
+        do {
+            project(cube, eyeTo, normal, resolution, best);
+        } while (++cube < end);
     }
 }
 

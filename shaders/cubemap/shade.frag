@@ -18,19 +18,15 @@ void main() {
     if (!hostSurface(pixel, surface)) {
         discard;
     }
-    vec3 eyeTo = uEyeToWorld * surface.eye;
-    vec3 normal = uEyeToWorld * surface.normal;
-    float resolution = depthResolution(surface.t);
-    Projected best = nothingProjected();
-    float repaired = repairedVisibility(pixel, rawDepth(pixel));
-    int cubes = repaired < 0.0 ? uCubes : 0;
-    for (int cube = 0; cube < cubes; ++cube) {
-        project(cube, eyeTo, normal, resolution, best);
-    }
-    for (int i = min(cubes, 1); i > 0; --i) { // a loop, for it ends where no pixel of a group goes on
+    float visibility = repairedVisibility(pixel, rawDepth(pixel));
+    if (visibility < 0.0) {
+        vec3 eyeTo = uEyeToWorld * surface.eye;
+        vec3 normal = uEyeToWorld * surface.normal;
+        float resolution = depthResolution(surface.t);
+        Projected best = nothingProjected();
+        projectAll(0, uCubes, eyeTo, normal, resolution, best);
         refine(eyeTo, normal, resolution, best);
+        visibility = best.weights > 0.0 ? best.sum / best.weights : 1.0;
     }
-    float visibility = best.weights > 0.0 ? best.sum / best.weights : 1.0;
-    visibility = repaired < 0.0 ? visibility : repaired;
     outFactor = vec4(vec3(1.0 - uContrast + uContrast * visibility), 1.0);
 }

@@ -24,9 +24,7 @@ void main() {
     vec3 normal = uEyeToWorld * surface.normal;
     float resolution = depthResolution(surface.t);
     Projected best = nothingProjected();
-    for (int cube = 0; cube < uCubes; ++cube) {
-        project(cube, eyeTo, normal, resolution, best);
-    }
+    projectAll(0, uCubes, eyeTo, normal, resolution, best);
     refine(eyeTo, normal, resolution, best);
     int cube = best.quality > 0.0 ? best.cube : max(best.guess, 0);
     float footprint = intBitsToFloat((floatBitsToInt(pixelFootprint(surface.t)) & ~kCubeMask) | cube);

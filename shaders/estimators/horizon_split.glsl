@@ -40,37 +40,34 @@ vec2 textureStep(vec3 position, vec2 uv, vec3 t) {
     return (viewCoordinates(position + scale * uStepSize * t) - uv) / scale;
 }
 
+bool isInside(vec2 uv) { return all(greaterThanEqual(uv, vec2(0.0))) && all(lessThan(uv, vec2(1.0))); }
+
 // Occlusion Sum w dH^2 along one direction.
 float occlusionAlong(vec3 position, vec3 normal, vec2 uv, vec2 stepUv) {
     float pixels = max(abs(stepUv.x) / viewTexel().x, abs(stepUv.y) / viewTexel().y);
     vec2 firstTexel = stepUv / max(pixels, 1.0e-6);
     float horizon = 0.0;
     float occlusion = 0.0;
-    for (int j = 0; j < uSteps; ++j) {
-        vec2 at = uv + firstTexel + float(j) * stepUv;
-        if (any(lessThan(at, vec2(0.0))) || any(greaterThanEqual(at, vec2(1.0)))) {
-            break;
-        }
-        vec3 emitter;
-        vec3 emitterNormal;
-        if (!surfaceAt(at, emitter, emitterNormal)) {
-            continue;
-        }
+    int j = 0;
+    vec2 at = uv + firstTexel;
+    bool inside = isInside(at);
+    do { // asks at its end, as in layered_intervals.glsl
+        vec3 emitter = position;
+        vec3 emitterNormal = normal;
+        bool seen = surfaceAt(inside ? at : uv, emitter, emitterNormal);
         vec3 toEmitter = emitter - position;
         float distance = length(toEmitter);
-        if (distance <= 0.0 || dot(toEmitter, emitterNormal) > 0.0) {
-            continue;
+        bool faces = seen && inside && distance > 0.0 && dot(toEmitter, emitterNormal) <= 0.0;
+        float height = faces ? dot(normal, toEmitter) / distance : 0.0;
+        // A sample without weight does not hide those behind it.
+        float weight = height > horizon ? occluderWeight(uFalloff, distance, uRadius) : 0.0;
+        if (weight > 0.0) {
+            occlusion += weight * (height * height - horizon * horizon);
+            horizon = height;
         }
-        float height = dot(normal, toEmitter) / distance;
-        if (height > horizon) {
-            float weight = occluderWeight(uFalloff, distance, uRadius);
-            // A sample without weight does not hide those behind it.
-            if (weight > 0.0) {
-                occlusion += weight * (height * height - horizon * horizon);
-                horizon = height;
-            }
-        }
-    }
+        at = uv + firstTexel + float(++j) * stepUv;
+        inside = inside && j < uSteps && isInside(at);
+    } while (inside);
     return occlusion;
 }
 
@@ -80,10 +77,11 @@ float visibilityHorizonSplit(vec3 position, vec3 normal) {
     tangentFrame(normal, t, b);
     vec2 uv = viewCoordinates(position);
     float occlusion = 0.0;
-    for (int i = 0; i < uDirections; ++i) {
+    int i = 0;
+    do {
         float theta = 2.0 * kPi * (float(i) + 0.5) / float(uDirections);
         vec2 stepUv = textureStep(position, uv, cos(theta) * t + sin(theta) * b);
         occlusion += occlusionAlong(position, normal, uv, stepUv);
-    }
+    } while (++i < uDirections);
     return 1.0 - occlusion / float(uDirections);
 }

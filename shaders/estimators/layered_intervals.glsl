@@ -3,6 +3,9 @@
 // without seams. Along each side of a slice, samples block wedges of a 64-sector mask whose sectors
 // carry equal shares of the cosine-weighted hemisphere.
 //
+// Loops ask at their end: a software rasteriser, which has no branches but a loop's way back, would run
+// each body once more to find that nobody goes on.
+//
 // The including stage supplies the view that it runs in, C being its centre:
 //   struct Texel
 //   bool texelTowards(vec3 direction, out Texel texel)   false where nothing is known
@@ -204,20 +207,20 @@ void blockTexel(Receiver p, Slice slice, Side side, Texel texel, Ray from, Ray t
     // The texel's own plane, its horizon aligned to the slice's: a flat neighbour then lies exactly on
     // the horizon and hides nothing.
     float shift = side.gamma - atan(dot(p.normal, w.across), dot(p.normal, p.toCentre));
-    for (int layer = 0; layer < uLayers; ++layer) {
-        vec4 interval = intervalAt(texel, layer);
-        if (interval.x < 0.0 || interval.x > w.middle.ball.y) {
-            break; // the layers come nearest first
+    int layer = 0;
+    vec4 interval = intervalAt(texel, layer);
+    bool within = interval.x >= 0.0 && interval.x <= w.middle.ball.y;
+    do {
+        if (within && interval.y >= w.middle.ball.x) {
+            vec2 cosines = blockedCosines(p, w, interval);
+            vec2 angles = acos(clamp(cosines.yx, -1.0, 1.0)) + shift;
+            uvec2 sectors = sectorsSeen(slice, side, angles) & ~mask;
+            mask |= sectors;
+            blocked += intervalWeight(p, interval, -middle.x) * shareSet(sectors);
         }
-        if (interval.y < w.middle.ball.x) {
-            continue;
-        }
-        vec2 cosines = blockedCosines(p, w, interval);
-        vec2 angles = acos(clamp(cosines.yx, -1.0, 1.0)) + shift;
-        uvec2 sectors = sectorsSeen(slice, side, angles) & ~mask;
-        mask |= sectors;
-        blocked += intervalWeight(p, interval, -middle.x) * shareSet(sectors);
-    }
+        interval = intervalAt(texel, ++layer);
+        within = within && layer < uLayers && interval.x >= 0.0 && interval.x <= w.middle.ball.y;
+    } while (within); // the layers come nearest first
 }
 
 // Share of the slice's weight that is blocked along one side.
@@ -228,22 +231,25 @@ float blockSide(Receiver p, Slice slice, Side side, float jitter, inout uvec2 ma
     float from = 0.5 * finest;
     Ray fromRay = rayAt(p, from);
     Texel before = p.texel;
-    // Until all is blocked, at the latest: what comes then hides nothing more.
-    for (int j = 0; j < uSteps && from < reach && (mask & side.sectors) != side.sectors; ++j) {
+    int step = 0;
+    bool within = from < reach;
+    do {
         // Steps grow with their number: fine near the receiver, where a texel subtends most.
-        float share = float(j + 1) / float(uSteps);
+        float share = float(++step) / float(uSteps);
         float to = min(max(reach * share * share, from + finest), kPi);
         Ray toRay = rayAt(p, to);
         vec2 between = mix(fromRay.direction, toRay.direction, jitter);
         Texel texel;
         bool known = texelTowards(between.y * side.tangent + between.x * p.toCentre, texel);
-        if (known && texel != p.texel && texel != before) {
+        if (within && known && texel != p.texel && texel != before) {
             blockTexel(p, slice, side, texel, fromRay, toRay, to - from, mask, blocked);
             before = texel;
         }
         from = to;
         fromRay = toRay;
-    }
+        within = step < uSteps && from < reach;
+        // Until all is blocked, at the latest: what comes then hides nothing more.
+    } while (within && (mask & side.sectors) != side.sectors);
     return blocked;
 }
 
@@ -262,13 +268,14 @@ vec2 blockedInSlice(Receiver p, vec3 tangent, float jitter) {
     float share = 0.0;
     uvec2 mask = uvec2(0u);
     float towardsCentre = -slice.low / slice.span; // F(0) = 0
-    for (int k = 0; k < 2; ++k) {
-        float sign = k == 0 ? 1.0 : -1.0;
-        uvec2 sectors = k == 0 ? sectorsBetween(towardsCentre, 1.0)
-                               : sectorsBetween(0.0, towardsCentre);
+    float sign = 1.0;
+    do {
+        uvec2 sectors = sign > 0.0 ? sectorsBetween(towardsCentre, 1.0)
+                                   : sectorsBetween(0.0, towardsCentre);
         Side side = Side(sign * tangent, sign, sign * slice.gamma, sectors);
-        share += blockSide(p, slice, side, k == 0 ? jitter : 1.0 - jitter, mask);
-    }
+        share += blockSide(p, slice, side, sign > 0.0 ? jitter : 1.0 - jitter, mask);
+        sign -= 2.0;
+    } while (sign >= -1.0);
     return weight * slice.span * vec2(share, 1.0);
 }
 
@@ -290,10 +297,11 @@ vec2 blockedLayeredIntervals(Texel texel, uint seed, vec3 position, vec3 normal,
     vec3 right = normalize(from - dot(from, p.toCentre) * p.toCentre);
     vec3 up = cross(p.toCentre, right);
     vec2 sum = vec2(0.0);
-    for (int i = first; i < first + count; ++i) {
+    int i = first;
+    do {
         float phi = kPi * (float(i * uSliceStride % uSlices) + turn) / float(uSlices);
         sum += blockedInSlice(p, cos(phi) * right + sin(phi) * up, hash(seed * 64u + uint(i)));
-    }
+    } while (++i < first + count);
     return sum;
 }
 

@@ -26,23 +26,23 @@ void main() {
     float sum = 0.0;
     float count = 0.0;
     ivec2 last = ivec2(uViewSize) - 1;
-    for (int y = -uHalfSize; y <= uHalfSize; ++y) {
-        for (int x = -uHalfSize; x <= uHalfSize; ++x) {
+    int y = -uHalfSize;
+    do { // loops ask at their end, as in estimators/layered_intervals.glsl
+        int x = -uHalfSize;
+        do {
             ivec2 other = pixel + ivec2(x, y);
-            if (any(lessThan(other, ivec2(0))) || any(greaterThan(other, last))) {
-                continue;
+            if (all(greaterThanEqual(other, ivec2(0))) && all(lessThanEqual(other, last))) {
+                float otherT = depthAt(other);
+                vec4 visibility = texelFetch(uVisibility, other, 0);
+                if (otherT >= 0.0 && visibility.g >= kUnshaded &&
+                    sameSurface(position, normal, tolerance, eyePositionAt(other, otherT),
+                                worldNormalAt(other) * uEyeToWorld)) {
+                    sum += visibility.r / visibility.a;
+                    count += 1.0;
+                }
             }
-            float otherT = depthAt(other);
-            vec4 visibility = texelFetch(uVisibility, other, 0);
-            if (otherT < 0.0 || visibility.g < kUnshaded ||
-                !sameSurface(position, normal, tolerance, eyePositionAt(other, otherT),
-                             worldNormalAt(other) * uEyeToWorld)) {
-                continue;
-            }
-            sum += visibility.r / visibility.a;
-            count += 1.0;
-        }
-    }
+        } while (++x <= uHalfSize);
+    } while (++y <= uHalfSize);
     vec4 own = texelFetch(uVisibility, pixel, 0);
     float shaded = own.g >= kUnshaded ? 1.0 : count > 0.0 ? 0.5 : 0.0;
     outVisibility = vec2(count > 0.0 ? sum / count : 1.0, shaded);

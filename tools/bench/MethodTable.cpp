@@ -168,6 +168,7 @@ const std::vector<Method>& benchMethods() {
         rayTracedCube(256, 1024),
         rayTracedCube(256, 512, 10),
         moving(rayTracedCube(256, 512)),
+        moving(rayTracedCube(256, 512, 10)),
         horizonCube(16, 16, 256),
         horizonCube(16, 16, 512),
         horizonScreen(8, 8),

@@ -234,12 +234,10 @@ void BackboneCubemapped::heedSurvey(const std::vector<CubeMapProjector*>& projec
         for (std::size_t i = 0; i < answer->points.size(); ++i) {
             const glm::vec3 p = toEye + answer->points[i];
             const int face = shared::faceOf(p);
-            const glm::vec2 at = shared::faceCoordinates(face, p) * size;
-            projector->tiles.ask(face, at);
-            const float texel = 2.0F * glm::dot(p, shared::faceForward(face)) / size;
-            if (texel > kCoarse * answer->footprints[i]) {
-                projector->tiles.askFine(face, at);
-            }
+            const glm::vec3 inFace = shared::toFace(face, p);
+            const float perUnit = 0.5F * size / inFace.z; // texels
+            const bool fine = 1.0F > kCoarse * answer->footprints[i] * perUnit;
+            projector->tiles.ask(face, glm::vec2(inFace) * perUnit + 0.5F * size, fine);
         }
     }
 }

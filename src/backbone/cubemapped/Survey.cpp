@@ -78,6 +78,8 @@ Survey::Answer Survey::evaluate(const Request& request, std::span<const std::uin
         .frame = request.frame, .eye = request.eye, .points = {}, .footprints = {}, .best = {}};
     std::vector<std::size_t> shadedBy(request.cubeMaps.size() + 1, 0);
     std::size_t shaded = 0;
+    answer.points.reserve(pixels.size() / sizeof(glm::vec4));
+    answer.footprints.reserve(pixels.size() / sizeof(glm::vec4));
     for (std::size_t i = 0; i + sizeof(glm::vec4) <= pixels.size(); i += sizeof(glm::vec4)) {
         glm::vec4 sample;
         std::memcpy(&sample, pixels.data() + i, sizeof(sample));

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include <glm/common.hpp>
-
 namespace aolib {
 
 namespace {
@@ -29,28 +27,21 @@ TileProgress::Region TileProgress::region(int tile) const {
     return {tile / perFace, x, y, std::min(kTile, faceSize_ - x), std::min(kTile, faceSize_ - y)};
 }
 
-template <typename Visit>
-void TileProgress::visitAbout(int face, const glm::vec2& at, Visit visit) {
-    const auto tileOf = [&](const glm::vec2& texel) {
-        return glm::clamp(glm::ivec2(glm::max(texel, glm::vec2(0.0F))) / kTile, glm::ivec2(0),
-                          glm::ivec2(perEdge_ - 1));
+void TileProgress::ask(int face, const glm::vec2& at, bool fine) {
+    const bool detail = fine && faceSize_ >= kDetailScale * kTile;
+    const auto tileOf = [&](float texel) {
+        return std::clamp(static_cast<int>(texel) / kTile, 0, perEdge_ - 1);
     };
-    const glm::ivec2 low = tileOf(at - kNear);
-    const glm::ivec2 high = tileOf(at + kNear);
-    for (int row = low.y; row <= high.y; ++row) {
-        for (int column = low.x; column <= high.x; ++column) {
-            visit(tiles_[static_cast<std::size_t>((face * perEdge_ + row) * perEdge_ + column)]);
+    const int lastColumn = tileOf(at.x + kNear);
+    const int lastRow = tileOf(at.y + kNear);
+    const int firstColumn = tileOf(at.x - kNear);
+    for (int row = tileOf(at.y - kNear); row <= lastRow; ++row) {
+        for (int column = firstColumn; column <= lastColumn; ++column) {
+            Tile& tile =
+                tiles_[static_cast<std::size_t>((face * perEdge_ + row) * perEdge_ + column)];
+            tile.asked = true;
+            tile.fine = tile.fine || detail;
         }
-    }
-}
-
-void TileProgress::ask(int face, const glm::vec2& at) {
-    visitAbout(face, at, [](Tile& tile) { tile.asked = true; });
-}
-
-void TileProgress::askFine(int face, const glm::vec2& at) {
-    if (faceSize_ >= kDetailScale * kTile) {
-        visitAbout(face, at, [](Tile& tile) { tile.fine = true; });
     }
 }
 

@@ -32,8 +32,11 @@ public:
     Region region(int tile) const;
 
     /// Asks for the tile that a point of a face lies in, and for its neighbour where the point is
-    /// near their border. @param at  texels.
-    void ask(int face, const glm::vec2& at);
+    /// near their border.
+    /// @param at    texels
+    /// @param fine  for detail, too, where the tile turns out to be rough. Faces smaller than a
+    ///              tile's detail have none: it lies in layers of their size.
+    void ask(int face, const glm::vec2& at, bool fine = false);
     void askAll();
     bool asked(int tile) const { return tiles_[static_cast<std::size_t>(tile)].asked; }
 
@@ -47,9 +50,6 @@ public:
     std::vector<int> mostUrgent(int most) const;
     // ---- Detail: tiles that a view shows finer than their texels, and in which surfaces end.
 
-    /// Asks for detail where the tile turns out to be rough. Faces smaller than a tile's detail
-    /// have none: it lies in layers of their size.
-    void askFine(int face, const glm::vec2& at);
     void setRough(int tile) { tiles_[static_cast<std::size_t>(tile)].rough = true; }
     bool needsDetail(int tile) const { return tiles_[static_cast<std::size_t>(tile)].detail(); }
     /// There is no room for a tile's detail: it needs none until allowDetail().
@@ -80,10 +80,6 @@ private:
         std::uint16_t detailPasses = 0;
         bool detail() const { return fine && rough && !refused; }
     };
-    /// Visits the tile that a point lies in, and its neighbours where their border is near.
-    template <typename Visit>
-    void visitAbout(int face, const glm::vec2& at, Visit visit);
-
     int faceSize_ = 0;
     int perEdge_ = 0;
     std::vector<Tile> tiles_;

@@ -157,6 +157,16 @@ TEST_P(FaultGLTest, LayersGetOverWhatGlRefuses) {
                1);
 }
 
+TEST_P(FaultGLTest, RaysGetOverWhatGlRefuses) {
+    estimator_ = Estimator::RayTraced;
+    const int stride = host->has.compatibility ? 4 : 1; // what rays ask of GL is the same there
+    refuseEach([this] { return layerSteps(); },
+               {Fault::GenTextures, Fault::GenBuffers, Fault::GenFramebuffers,
+                Fault::FramebufferStatus, Fault::TextureStorage, Fault::TextureSize,
+                Fault::BufferStorage},
+               stride);
+}
+
 TEST_P(FaultGLTest, TexturesOfTheHostGetOverWhatGlRefuses) {
     refuseEach([this] { return textureSteps(); },
                {Fault::GenTextures, Fault::GenFramebuffers, Fault::FramebufferStatus,

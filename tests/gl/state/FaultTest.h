@@ -3,7 +3,10 @@
 #include <functional>
 #include <initializer_list>
 #include <optional>
+#include <utility>
 #include <vector>
+
+#include <aolib/RayTracing.h>
 
 #include "FaultyLoader.h"
 #include "Guest.h"
@@ -44,6 +47,9 @@ protected:
         if (ao) {
             meshes_ = *host::describeScene(*ao, guestScene(), host::SceneNormals::Geometric);
             EXPECT_TRUE(ao->aoSetCamera(Guest::view(), Guest::projection()).ok());
+            if (estimator_ == Estimator::RayTraced) {
+                ao->setTexelTracer(std::move(*createTexelTracer(1)));
+            }
         }
         return ao;
     }

@@ -27,6 +27,7 @@ Options smallOptions() {
     options.radius = 2.0F;
     options.horizonSplit = {.directions = 2, .steps = 3};
     options.layeredIntervals = {.slices = 1, .steps = 3, .layers = 2};
+    options.rayTraced.rays = 4;
     options.cubeMaps.faceSize = 16;
     options.cubeMaps.nearest = 3;
     return options;
@@ -185,7 +186,6 @@ struct GuestCalls {
         Options options = ao().options();
         const Options before = options;
         options.estimator = dice.chance(0.7) ? Estimator::LayeredIntervals : Estimator::RayTraced;
-        options.rayTraced.rays = 4;
         options.frameBudget = 0.0F;
         options.cubeMaps.repair = true;
         if (options.estimator == Estimator::RayTraced) {

@@ -259,6 +259,8 @@ Status BackboneCubemapped::prepare(const Frame& frame) {
         return status;
     }
     if (context_.scene.empty()) {
+        texelsComplete_ = true;
+        repair(frame); // nothing is left to do, nor shown
         return {};
     }
     const std::vector<CubeMapProjector*> used = cubeMaps_.nearest(frame.position);

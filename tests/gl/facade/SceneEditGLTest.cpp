@@ -99,6 +99,24 @@ TEST_P(SceneEditGLTest, OptionsThatTheEstimateNeedsRebuild) {
     EXPECT_EQ(host.ao().cubeMaps()[0].faceSize, 32);
 }
 
+TEST_P(SceneEditGLTest, AnEmptiedSceneHasNothingLeftToCompute) {
+    Options o = options();
+    o.estimator = Estimator::LayeredIntervals;
+    o.layeredIntervals = {.slices = 1, .steps = 2, .layers = 1};
+    SmallHost host(gl, loader, Model(), o);
+    Model box;
+    addBox(box, {-0.5F, 0.01F, -0.5F}, {0.5F, 1, 0.5F});
+    const MeshId id = *host.ao().addMesh(boxData(box, at(0)));
+    host.lookAt({0, 2, 3}, {0, 0, 0});
+    ASSERT_TRUE(host.ao().addCubeMap({0, 2, 3}).ok());
+    ASSERT_TRUE(host.frame().ok());
+    ASSERT_FALSE(host.ao().statistics().converged) << "pixels are left for when the view rests";
+    ASSERT_TRUE(host.ao().removeMesh(id).ok());
+    ASSERT_TRUE(host.frame().ok());
+    EXPECT_TRUE(host.ao().statistics().converged);
+    EXPECT_EQ(host.ao().statistics().pixelsRepaired, 0U);
+}
+
 AOLIB_FOR_ALL_CONTEXTS(SceneEditGLTest);
 
 } // namespace

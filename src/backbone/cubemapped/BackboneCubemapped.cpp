@@ -235,10 +235,10 @@ void BackboneCubemapped::heedSurvey(const std::vector<CubeMapProjector*>& projec
             const glm::vec3 p = toEye + answer->points[i];
             const int face = shared::faceOf(p);
             const glm::vec3 inFace = shared::toFace(face, p);
-            if (!(inFace.z > 0.0F && std::isfinite(inFace.z))) { // the centre itself, or no number
+            const float perUnit = 0.5F * size / inFace.z; // texels
+            if (!std::isfinite(inFace.z * perUnit)) {     // the centre itself, or beyond floats
                 continue;
             }
-            const float perUnit = 0.5F * size / inFace.z; // texels
             const bool fine = 1.0F > kCoarse * answer->footprints[i] * perUnit;
             projector->tiles.ask(face, glm::vec2(inFace) * perUnit + 0.5F * size, fine);
         }

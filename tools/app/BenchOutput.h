@@ -14,6 +14,7 @@ namespace aolib::app {
 
 /// The most that --repeat may say, and the pictures of --quick.
 inline constexpr int kMostRepeats = 100;
+inline constexpr int kMostBuildSeconds = 100000;
 inline constexpr bench::PictureSize kQuickSize{320, 180};
 
 /// Makes the folder that --out names, if it is missing.

@@ -233,6 +233,11 @@ void attachEffort(CLI::App& command, ParetoFlags& flags) {
         "builds per method and case, of which the median is told")
         ->default_str("1");
     addWholeNumber(
+        command, "--build-seconds", 1, kMostBuildSeconds,
+        [&flags](int n) { flags.patience.buildSeconds = n; },
+        "a build that has not converged by then is taken as it is")
+        ->default_str("600");
+    addWholeNumber(
         command, "--frames", 1, kMostTimedFrames, [&flags](int n) { flags.patience.frames = n; },
         "timed after each build")
         ->default_str("7");

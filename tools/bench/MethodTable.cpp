@@ -68,6 +68,15 @@ Method moving(Method method) {
     return method;
 }
 
+/// The same a little in every frame: what the first frame shows is no more than begun.
+Method paced(Method method) {
+    std::get<FacadeMethod>(method.how).options.frameBudget = 5.0F;
+    method.name += "-paced";
+    method.label += " paced";
+    method.standard = kOnRequest;
+    return method;
+}
+
 /// The same where pixels of the view at rest can be traced.
 Method tracedAtRest(Method method) {
     std::get<FacadeMethod>(method.how).tracer = true;
@@ -155,6 +164,7 @@ const std::vector<Method>& benchMethods() {
         tracedAtRest(layeredCube(16, 32, 512, 1)),
         moving(layeredCube(8, 16, 256, 1)),
         moving(layeredCube(8, 16, 512, 1)),
+        paced(moving(layeredCube(8, 16, 512, 1))),
         moving(layeredCube(16, 32, 512, 1)),
         layeredCube(4, 8, 1024, 1, kOnRequest),
         layeredCube(8, 16, 1024, 1),

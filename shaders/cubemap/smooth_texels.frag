@@ -8,11 +8,9 @@
 uniform sampler2D uAccumulated; // six faces side by side: blocked weight, weight
 uniform int uFace;
 
-// Texels to each side.
-const int kReach = 1;
-// How much the texel itself counts beside each of the others: less leaves noise, more takes away what
-// is true within a texel's distance (docs/accuracy.md).
-const float kOwnWeight = 4.0;
+uniform int uReach;       // texels to each side
+uniform float uOwnWeight; // of the texel itself beside each of the others
+
 // Distance from the tangent plane, in texel footprints, and cosine between normals (25 degrees) that
 // still count as the same surface.
 const float kSameSurfaceFootprints = 0.5;
@@ -29,8 +27,8 @@ void main() {
     vec3 normal = decodeNormal(own.zw);
     float tolerance = kSameSurfaceFootprints * footprintAt(texel, position);
     vec2 found = vec2(0.0);
-    for (int i = 0; i < (2 * kReach + 1) * (2 * kReach + 1); ++i) {
-        ivec2 offset = ivec2(i % (2 * kReach + 1), i / (2 * kReach + 1)) - kReach;
+    ivec2 offset = ivec2(-uReach);
+    do { // asks at its end, as in estimators/layered_intervals.glsl
         vec2 uv = (vec2(texel.at + offset) + 0.5) / float(uFaceSize);
         Texel other;
         texelTowards(faceDirection(texel.face, uv), other);
@@ -39,10 +37,12 @@ void main() {
                     abs(dot(normal, rayOf(other) * interval.x - position)) <= tolerance &&
                     dot(normal, decodeNormal(interval.zw)) >= kSameSurfaceCosine;
         if (same || offset == ivec2(0)) {
-            float weight = offset == ivec2(0) ? kOwnWeight : 1.0;
+            float weight = offset == ivec2(0) ? uOwnWeight : 1.0;
             found += weight *
                      texelFetch(uAccumulated, other.at + ivec2(other.face * uFaceSize, 0), 0).rg;
         }
-    }
+        bool rowDone = offset.x == uReach;
+        offset = ivec2(rowDone ? -uReach : offset.x + 1, rowDone ? offset.y + 1 : offset.y);
+    } while (offset.y <= uReach);
     keep(found.y > 0.0 ? 1.0 - found.x / found.y : 1.0, dot(position, faceForward(uFace)));
 }

@@ -297,10 +297,13 @@ vec2 blockedLayeredIntervals(Texel texel, uint seed, vec3 position, vec3 normal,
     vec3 right = normalize(from - dot(from, p.toCentre) * p.toCentre);
     vec3 up = cross(p.toCentre, right);
     vec2 sum = vec2(0.0);
+    // Each begins with another slice, so that receivers side by side know different ones from the first on.
+    int begin = int(hash(~seed) * float(uSlices));
     int i = first;
     do {
-        float phi = kPi * (float(i * uSliceStride % uSlices) + turn) / float(uSlices);
-        sum += blockedInSlice(p, cos(phi) * right + sin(phi) * up, hash(seed * 64u + uint(i)));
+        int number = (i * uSliceStride + begin) % uSlices;
+        float phi = kPi * (float(number) + turn) / float(uSlices);
+        sum += blockedInSlice(p, cos(phi) * right + sin(phi) * up, hash(seed * 64u + uint(number)));
     } while (++i < first + count);
     return sum;
 }

@@ -13,6 +13,22 @@
 
 namespace aolib {
 
+namespace {
+
+/// How texels take noise out of each other (shaders/cubemap/smooth_texels.frag): less of it leaves
+/// noise, more takes away what is true within a texel's distance (docs/accuracy.md).
+struct Smoothing {
+    int reach;       ///< texels to each side
+    float ownWeight; ///< of a texel beside each of the others
+};
+constexpr Smoothing kSmoothing{1, 4.0F};
+/// Of texels that have had less than this share of their passes, in which noise is most of the
+/// error.
+constexpr float kFewPasses = 0.4F;
+constexpr Smoothing kSmoothingOfFew{2, 1.0F};
+
+} // namespace
+
 Result<DeferredShading> DeferredShading::create(const BackboneContext& context) {
     auto capture = buildShader(context.gl, "cubemap/capture.vert", "cubemap/capture.frag");
     if (!capture) {
@@ -156,8 +172,9 @@ void DeferredShading::accumulate(const BackboneContext& context, const CubeMapCa
 
 void DeferredShading::resolve(const BackboneContext& context, const CubeMapCapture& capture,
                               const CubeMapProjector& projector, const FaceStore& store,
-                              const TileProgress::Region& region) {
+                              const TileProgress::Region& region, float share) {
     const gl::DebugGroup group(context.gl, "aolib: keep texels");
+    const Smoothing& smoothing = share < kFewPasses ? kSmoothingOfFew : kSmoothing;
     store.begin(projector.layer(region.face));
     context.gl.Viewport(region.x, region.y, region.width, region.height);
     resolve_.bind();
@@ -166,6 +183,8 @@ void DeferredShading::resolve(const BackboneContext& context, const CubeMapCaptu
     resolve_.set("uAccumulated", 1);
     resolve_.set("uFace", region.face);
     resolve_.set("uDepthCode", projector.depthCode());
+    resolve_.set("uReach", smoothing.reach);
+    resolve_.set("uOwnWeight", smoothing.ownWeight);
     context.generated.drawFullscreen();
 }
 

@@ -56,10 +56,10 @@ public:
     /// @param radius  reach of occluders, world units.
     void accumulate(const BackboneContext& context, const CubeMapCapture& capture, float radius,
                     const TileProgress::Region& region, int first, int count);
-    /// Writes what has been found of a region to the store.
+    /// Writes what has been found of a region to the store. @param share  of all passes it has had
     void resolve(const BackboneContext& context, const CubeMapCapture& capture,
                  const CubeMapProjector& projector, const FaceStore& store,
-                 const TileProgress::Region& region);
+                 const TileProgress::Region& region, float share);
 
 private:
     Status chooseEstimator(const BackboneContext& context);

@@ -81,7 +81,7 @@ Status RasterTexels::complete(CubeMapProjector& projector) {
     }
     for (int face = 0; face < kFaces; ++face) {
         if (projector.keeps(face)) {
-            shading_.resolve(context_, capture, projector, store_, {face, 0, 0, size, size});
+            shading_.resolve(context_, capture, projector, store_, {face, 0, 0, size, size}, 1.0F);
         }
     }
     projector.tiles.askAll();
@@ -221,7 +221,9 @@ bool RasterTexels::goOnKeeping(CubeMapProjector& projector, Work& work) {
 void RasterTexels::keep(const CubeMapProjector& projector, const Work& work, int tile) {
     const TileProgress::Region region = projector.tiles.region(tile);
     if (projector.keeps(region.face)) {
-        shading_.resolve(context_, work.capture, projector, store_, region);
+        const float share =
+            static_cast<float>(projector.tiles.passes(tile)) / static_cast<float>(passes());
+        shading_.resolve(context_, work.capture, projector, store_, region, share);
     }
 }
 

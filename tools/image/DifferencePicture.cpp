@@ -15,7 +15,7 @@ namespace {
 
 using Colour = glm::vec<3, std::uint8_t>;
 
-constexpr Colour background{128, 128, 128};
+constexpr Colour backgroundColour{128, 128, 128};
 
 /// @param signedShare  of the full colour, -1 blue to 1 red.
 Colour colourOf(double signedShare) {
@@ -40,7 +40,7 @@ ImageResult<ByteImage> differencePicture(const FloatImage& test, const FloatImag
         const bool empty =
             test.pixels[i] == backgroundValue || reference.pixels[i] == backgroundValue;
         const double difference = double{test.pixels[i]} - double{reference.pixels[i]};
-        const Colour colour = empty ? background : colourOf(difference / double{scale});
+        const Colour colour = empty ? backgroundColour : colourOf(difference / double{scale});
         for (int channel = 0; channel < 3; ++channel) {
             picture.pixels[3 * i + static_cast<std::size_t>(channel)] = colour[channel];
         }

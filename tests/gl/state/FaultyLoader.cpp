@@ -7,7 +7,7 @@ namespace aolib {
 
 namespace {
 
-FaultyLoader* current = nullptr;
+FaultyLoader* inUse = nullptr;
 
 // ---- Names ------------------------------------------------------------------------------------
 
@@ -20,115 +20,115 @@ struct Text {
 
 template <Text Function, Text Kind, Fault Refusal>
 void APIENTRY generate(GLsizei count, GLuint* names) {
-    if (current->fails(Refusal)) {
+    if (inUse->fails(Refusal)) {
         std::fill_n(names, count, 0U);
         return;
     }
-    current->real<PFNGLGENTEXTURESPROC>(Function.value)(count, names);
-    current->ledger[Kind.value].insert(names, names + count);
+    inUse->real<PFNGLGENTEXTURESPROC>(Function.value)(count, names);
+    inUse->ledger[Kind.value].insert(names, names + count);
 }
 
 template <Text Function, Text Kind>
 void APIENTRY remove(GLsizei count, const GLuint* names) {
-    current->real<PFNGLDELETETEXTURESPROC>(Function.value)(count, names);
+    inUse->real<PFNGLDELETETEXTURESPROC>(Function.value)(count, names);
     for (GLsizei i = 0; i < count; ++i) {
-        current->ledger[Kind.value].erase(names[i]);
+        inUse->ledger[Kind.value].erase(names[i]);
     }
 }
 
 GLuint APIENTRY createShader(GLenum kind) {
-    if (current->fails(Fault::CreateShader)) {
+    if (inUse->fails(Fault::CreateShader)) {
         return 0;
     }
-    const GLuint name = current->real<PFNGLCREATESHADERPROC>("glCreateShader")(kind);
-    current->ledger["shaders"].insert(name);
+    const GLuint name = inUse->real<PFNGLCREATESHADERPROC>("glCreateShader")(kind);
+    inUse->ledger["shaders"].insert(name);
     return name;
 }
 void APIENTRY deleteShader(GLuint name) {
-    current->real<PFNGLDELETESHADERPROC>("glDeleteShader")(name);
-    current->ledger["shaders"].erase(name);
+    inUse->real<PFNGLDELETESHADERPROC>("glDeleteShader")(name);
+    inUse->ledger["shaders"].erase(name);
 }
 GLuint APIENTRY createProgram() {
-    if (current->fails(Fault::CreateProgram)) {
+    if (inUse->fails(Fault::CreateProgram)) {
         return 0;
     }
-    const GLuint name = current->real<PFNGLCREATEPROGRAMPROC>("glCreateProgram")();
-    current->ledger["programs"].insert(name);
+    const GLuint name = inUse->real<PFNGLCREATEPROGRAMPROC>("glCreateProgram")();
+    inUse->ledger["programs"].insert(name);
     return name;
 }
 void APIENTRY deleteProgram(GLuint name) {
-    current->real<PFNGLDELETEPROGRAMPROC>("glDeleteProgram")(name);
-    current->ledger["programs"].erase(name);
+    inUse->real<PFNGLDELETEPROGRAMPROC>("glDeleteProgram")(name);
+    inUse->ledger["programs"].erase(name);
 }
 GLsync APIENTRY fenceSync(GLenum condition, GLbitfield flags) {
-    if (current->fails(Fault::FenceSync)) {
+    if (inUse->fails(Fault::FenceSync)) {
         return nullptr;
     }
-    GLsync fence = current->real<PFNGLFENCESYNCPROC>("glFenceSync")(condition, flags);
-    current->ledger["fences"].insert(reinterpret_cast<std::uintptr_t>(fence));
+    GLsync fence = inUse->real<PFNGLFENCESYNCPROC>("glFenceSync")(condition, flags);
+    inUse->ledger["fences"].insert(reinterpret_cast<std::uintptr_t>(fence));
     return fence;
 }
 void APIENTRY deleteSync(GLsync fence) {
-    current->real<PFNGLDELETESYNCPROC>("glDeleteSync")(fence);
-    current->ledger["fences"].erase(reinterpret_cast<std::uintptr_t>(fence));
+    inUse->real<PFNGLDELETESYNCPROC>("glDeleteSync")(fence);
+    inUse->ledger["fences"].erase(reinterpret_cast<std::uintptr_t>(fence));
 }
 
 void APIENTRY queryCounter(GLuint name, GLenum target) {
-    current->real<PFNGLQUERYCOUNTERPROC>("glQueryCounter")(name, target);
-    ++current->timestamps;
+    inUse->real<PFNGLQUERYCOUNTERPROC>("glQueryCounter")(name, target);
+    ++inUse->timestamps;
 }
 
 // ---- Answers ----------------------------------------------------------------------------------
 
 void APIENTRY getShaderiv(GLuint name, GLenum query, GLint* value) {
-    current->real<PFNGLGETSHADERIVPROC>("glGetShaderiv")(name, query, value);
-    if (query == GL_COMPILE_STATUS && current->fails(Fault::CompileShader)) {
+    inUse->real<PFNGLGETSHADERIVPROC>("glGetShaderiv")(name, query, value);
+    if (query == GL_COMPILE_STATUS && inUse->fails(Fault::CompileShader)) {
         *value = GL_FALSE;
     }
 }
 void APIENTRY getProgramiv(GLuint name, GLenum query, GLint* value) {
-    current->real<PFNGLGETPROGRAMIVPROC>("glGetProgramiv")(name, query, value);
-    if (query == GL_LINK_STATUS && current->fails(Fault::LinkProgram)) {
+    inUse->real<PFNGLGETPROGRAMIVPROC>("glGetProgramiv")(name, query, value);
+    if (query == GL_LINK_STATUS && inUse->fails(Fault::LinkProgram)) {
         *value = GL_FALSE;
     }
 }
 GLenum APIENTRY checkFramebufferStatus(GLenum target) {
-    return current->fails(Fault::FramebufferStatus)
+    return inUse->fails(Fault::FramebufferStatus)
                ? GL_FRAMEBUFFER_UNSUPPORTED
-               : current->real<PFNGLCHECKFRAMEBUFFERSTATUSPROC>("glCheckFramebufferStatus")(target);
+               : inUse->real<PFNGLCHECKFRAMEBUFFERSTATUSPROC>("glCheckFramebufferStatus")(target);
 }
 void APIENTRY texImage2D(GLenum target, GLint level, GLint internalFormat, GLsizei width,
                          GLsizei height, GLint border, GLenum format, GLenum type,
                          const void* data) {
-    if (!current->fails(Fault::TextureStorage)) {
-        current->real<PFNGLTEXIMAGE2DPROC>("glTexImage2D")(target, level, internalFormat, width,
-                                                           height, border, format, type, data);
+    if (!inUse->fails(Fault::TextureStorage)) {
+        inUse->real<PFNGLTEXIMAGE2DPROC>("glTexImage2D")(target, level, internalFormat, width,
+                                                         height, border, format, type, data);
     }
 }
 void APIENTRY texImage3D(GLenum target, GLint level, GLint internalFormat, GLsizei width,
                          GLsizei height, GLsizei depth, GLint border, GLenum format, GLenum type,
                          const void* data) {
-    if (!current->fails(Fault::TextureStorage)) {
-        current->real<PFNGLTEXIMAGE3DPROC>("glTexImage3D")(
-            target, level, internalFormat, width, height, depth, border, format, type, data);
+    if (!inUse->fails(Fault::TextureStorage)) {
+        inUse->real<PFNGLTEXIMAGE3DPROC>("glTexImage3D")(target, level, internalFormat, width,
+                                                         height, depth, border, format, type, data);
     }
 }
 void APIENTRY getTexLevelParameteriv(GLenum target, GLint level, GLenum query, GLint* value) {
-    current->real<PFNGLGETTEXLEVELPARAMETERIVPROC>("glGetTexLevelParameteriv")(target, level, query,
-                                                                               value);
-    if (current->fails(Fault::TextureSize)) {
+    inUse->real<PFNGLGETTEXLEVELPARAMETERIVPROC>("glGetTexLevelParameteriv")(target, level, query,
+                                                                             value);
+    if (inUse->fails(Fault::TextureSize)) {
         *value = 0;
     }
 }
 void APIENTRY bufferData(GLenum target, GLsizeiptr size, const void* data, GLenum usage) {
-    if (!current->fails(Fault::BufferStorage)) {
-        current->real<PFNGLBUFFERDATAPROC>("glBufferData")(target, size, data, usage);
+    if (!inUse->fails(Fault::BufferStorage)) {
+        inUse->real<PFNGLBUFFERDATAPROC>("glBufferData")(target, size, data, usage);
     }
 }
 void* APIENTRY mapBufferRange(GLenum target, GLintptr offset, GLsizeiptr size, GLbitfield access) {
-    return current->fails(Fault::MapBuffer) ? nullptr
-                                            : current->real<PFNGLMAPBUFFERRANGEPROC>(
-                                                  "glMapBufferRange")(target, offset, size, access);
+    return inUse->fails(Fault::MapBuffer) ? nullptr
+                                          : inUse->real<PFNGLMAPBUFFERRANGEPROC>(
+                                                "glMapBufferRange")(target, offset, size, access);
 }
 
 template <typename Function>
@@ -180,7 +180,7 @@ const char* faultName(Fault fault) {
 }
 
 FaultyLoader::FaultyLoader(const ProcAddressLoader& real) {
-    current = this;
+    inUse = this;
     for (const auto& [name, function] : replacements()) {
         functions_[name] = real(name.c_str());
     }
@@ -191,7 +191,7 @@ FaultyLoader::FaultyLoader(const ProcAddressLoader& real) {
 }
 
 FaultyLoader::~FaultyLoader() {
-    current = nullptr;
+    inUse = nullptr;
 }
 
 void FaultyLoader::failAt(Fault fault, int n) {

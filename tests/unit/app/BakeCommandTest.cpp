@@ -143,7 +143,8 @@ TEST_F(BakeCommandTest, PosesGetAnAttributeEach) {
         EXPECT_EQ(primitive["extras"]["aolib_pose_times"], (std::vector<float>{0.0F, 0.5F, 2.0F}));
         for (const char* name : {"_AO_0", "_AO_1", "_AO_2"}) {
             ASSERT_TRUE(primitive["attributes"].contains(name)) << name;
-            const Json& accessor = json["accessors"][primitive["attributes"][name].get<int>()];
+            const Json& accessor =
+                json["accessors"][primitive["attributes"][name].get<std::size_t>()];
             EXPECT_EQ(accessor["count"], json["accessors"][0]["count"]);
         }
         EXPECT_FALSE(primitive["attributes"].contains("_AO"));

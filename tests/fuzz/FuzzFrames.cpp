@@ -63,16 +63,29 @@ private:
     std::vector<host::HostFramebuffer> framebuffers_;
 };
 
-/// A host that lives as long as an input.
+/// A host that lives as long as an input. Its instance mostly lives on, for shaders take long to
+/// build: emptied, as a host would between two levels.
 class Host {
 public:
-    explicit Host(Bytes& bytes) : stage_(Stage::get()), bytes_(bytes) {
-        auto made = AmbientOcclusion::create(stage_.loader(), options());
-        require(made.ok(), "such options are accepted");
-        ao_.emplace(std::move(*made));
+    explicit Host(Bytes& bytes) : stage_(Stage::get()), bytes_(bytes), ao_(instance()) {
+        if (one(16)) {
+            ao_.reset();
+        }
+        begin(options());
         setCamera();
         addMesh();
     }
+    ~Host() {
+        for (const MeshId mesh : meshes_) {
+            note(ao_->removeMesh(mesh));
+        }
+        note(ao_->setSceneRenderer({}, {}, {}));
+        ao_->setTexelTracer(nullptr);
+        note(ao_->clear());
+        (void)ao_->aoDrawEnd(0.0F, 0.0F, 0.0F); // of a frame that was begun
+    }
+    Host(const Host&) = delete;
+    Host& operator=(const Host&) = delete;
 
     void call();
 
@@ -93,6 +106,20 @@ private:
         require(stage_.error() == 0, "no GL error is raised");
     }
 
+    static std::optional<AmbientOcclusion>& instance() {
+        static std::optional<AmbientOcclusion> kept;
+        return kept;
+    }
+    void begin(const Options& options) {
+        if (ao_) {
+            note(ao_->setOptions(options));
+            return;
+        }
+        auto made = AmbientOcclusion::create(stage_.loader(), options);
+        require(made.ok(), "such options are accepted");
+        ao_.emplace(std::move(*made));
+    }
+
     Options options();
     void setOptions() { note(ao_->setOptions(options())); }
     void setCamera();
@@ -108,7 +135,7 @@ private:
 
     const Stage& stage_;
     Bytes& bytes_;
-    std::optional<AmbientOcclusion> ao_;
+    std::optional<AmbientOcclusion>& ao_;
     std::vector<MeshId> meshes_;
     std::size_t framebuffer_ = 0;
     std::array<std::uint8_t, 4> depths_{255, 128, 200, 240}; ///< of the quarters of the picture

@@ -101,9 +101,11 @@ Result<const gl::RenderToTexture2D*> AbstractBackbone::fillBuffers(const Frame& 
     const auto projected = computeVisibility(frame);
     if (projected) {
         const BlurOptions& blur = context_.options.blur;
-        visibility_.begin(0);
-        blur_.apply(context_, frame, geometry_, **projected,
-                    blur.enabled && noisy() ? blur.size : 1);
+        if (Status status = blur_.apply(context_, frame, geometry_, **projected,
+                                        blur.enabled && noisy() ? blur.size : 1, visibility_);
+            !status) {
+            return status;
+        }
         buffered_ = true;
     }
     return projected;
@@ -145,7 +147,7 @@ Statistics AbstractBackbone::statistics() {
     Statistics statistics;
     statistics.frame = frame_;
     statistics.frameGpuMs = timer_.milliseconds();
-    statistics.bytesFrame = host_.bytes() + geometry_.bytes() + applied_.bytes() +
+    statistics.bytesFrame = host_.bytes() + geometry_.bytes() + applied_.bytes() + blur_.bytes() +
                             (visibility_ ? visibility_.bytes() : 0);
     addStatistics(statistics);
     return statistics;

@@ -6,19 +6,26 @@
 
 namespace aolib {
 
-/// Edge-aware blur of the projected visibility (thesis 4.5); also says which pixels are shaded.
+/// Edge-aware blur of the projected visibility (thesis 4.5), along rows and then along columns;
+/// also says which pixels are shaded.
 class Blur {
 public:
     /// Errors: ShaderError.
     static Result<Blur> create(const BackboneContext& context);
-    /// Renders into the bound target: W (-1 background), and 1 shaded, 0.5 filled, 0 unshaded.
+    /// Renders into `target`, of the frame's size: W (-1 background), and 1 shaded, 0.5 filled, 0
+    /// unshaded.
     /// @param projected  as AbstractBackbone::computeVisibility() gave it.
     /// @param size       pixels along the filter's edge; 1 copies.
-    void apply(const BackboneContext& context, const Frame& frame, const GeometryBuffer& geometry,
-               const gl::RenderToTexture2D& projected, int size);
+    /// Errors: OutOfMemory.
+    Status apply(const BackboneContext& context, const Frame& frame, const GeometryBuffer& geometry,
+                 const gl::RenderToTexture2D& projected, int size,
+                 const gl::RenderToTexture2D& target);
+    std::size_t bytes() const { return sums_ ? sums_.bytes() : 0; }
 
 private:
-    gl::GLSLShader shader_;
+    gl::GLSLShader rows_;
+    gl::GLSLShader columns_;
+    gl::RenderToTexture2D sums_; ///< of rows; size of the frame
 };
 
 } // namespace aolib

@@ -90,6 +90,8 @@ void visitOptions(OptionsType& o, Visitor&& visit) {
     visit("repair", o.cubeMaps.repair,
           "while the view rests, also compute its pixels by themselves: ray-traced, "
           "layered-intervals");
+    visit("half-resolution", o.cubeMaps.halfResolution,
+          "project onto a quarter of the pixels, and take that to the others by their depths");
     visit("outlines", o.cubeMaps.outlines, "draw a wire cube where each cube map stands");
     visit("blur", o.blur.enabled, "edge-aware blur of horizon-split and of screen space");
     visit("blur-size", o.blur.size, OptionRange{1, 15}, "edge length of the blur, pixels, odd");

@@ -87,6 +87,9 @@ struct CubeMapOptions {
     /// layered intervals compute all of a perspective view. Horizon split leaves texels as they
     /// are.
     bool repair = true;
+    /// Project onto every second pixel of every second row and take that to the others by their
+    /// depths: for many cube maps on weak devices. Pixels of a view at rest are whole all the same.
+    bool halfResolution = false;
     bool outlines = false; ///< draw a small wire cube where each cube map stands
 };
 

@@ -11,6 +11,7 @@ uniform bool uFirstPass;
 uniform int uFirstCube;
 uniform int uEndCube;
 uniform int uCubes;
+uniform int uStride; // pixels from sample to sample: each is the last of so many
 
 // Sum of visibility, quality (after the last pass its log2), code of cube map and face, weight.
 layout(location = 0) out vec4 outBest;
@@ -28,8 +29,9 @@ float faceCode(Projected best) {
 }
 
 void main() {
-    ivec2 pixel = ivec2(gl_FragCoord.xy);
-    vec4 before = uFirstPass ? vec4(0.0) : texelFetch(uBest, pixel, 0);
+    ivec2 at = ivec2(gl_FragCoord.xy);
+    ivec2 pixel = min(uStride * at + uStride - 1, ivec2(uViewSize) - 1);
+    vec4 before = uFirstPass ? vec4(0.0) : texelFetch(uBest, at, 0);
     bool last = uEndCube == uCubes;
     outBest = last ? vec4(0.0, kUnknown, 0.0, 0.0) : before;
     HostSurface surface;

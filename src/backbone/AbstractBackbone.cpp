@@ -56,7 +56,9 @@ Status AbstractBackbone::drawEnd(Frame& frame) {
         return status;
     }
     if (context_.options.debugView == DebugView::None && shadesDirectly()) {
-        shadeDirectly(frame);
+        if (Status status = shadeDirectly(frame); !status) {
+            return status;
+        }
     } else {
         const auto projected = fillBuffers(frame);
         if (!projected) {

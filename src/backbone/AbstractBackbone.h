@@ -58,7 +58,7 @@ protected:
     virtual Status prepare(const Frame& /*frame*/) { return {}; }
     /// Whether shadeDirectly() can darken the picture in one pass; buffers are then not needed.
     virtual bool shadesDirectly() const { return false; }
-    virtual void shadeDirectly(const Frame& /*frame*/) {}
+    virtual Status shadeDirectly(const Frame& /*frame*/) { return {}; }
     /// Finds each pixel's value: texture 0 of the target holds its weighted sum, log2 of its
     /// quality (below kUnshaded nothing is known), the code of a cube's face, and the weight.
     virtual Result<const gl::RenderToTexture2D*> computeVisibility(const Frame& frame) = 0;

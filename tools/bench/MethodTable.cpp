@@ -68,6 +68,15 @@ Method moving(Method method) {
     return method;
 }
 
+/// The same projected at half the resolution.
+Method halved(Method method) {
+    std::get<FacadeMethod>(method.how).options.cubeMaps.halfResolution = true;
+    method.name += "-half";
+    method.label += " half";
+    method.standard = kOnRequest;
+    return method;
+}
+
 /// The same a little in every frame: what the first frame shows is no more than begun.
 Method paced(Method method) {
     std::get<FacadeMethod>(method.how).options.frameBudget = 5.0F;
@@ -179,6 +188,8 @@ const std::vector<Method>& benchMethods() {
         rayTracedCube(256, 512, 10),
         moving(rayTracedCube(256, 512)),
         moving(rayTracedCube(256, 512, 10)),
+        halved(moving(rayTracedCube(256, 512))),
+        halved(moving(rayTracedCube(256, 512, 10))),
         horizonCube(16, 16, 256),
         horizonCube(16, 16, 512),
         horizonScreen(8, 8),

@@ -311,10 +311,9 @@ bool BackboneCubemapped::noisy() const {
     return context_.options.estimator == Estimator::HorizonSplit;
 }
 
-void BackboneCubemapped::shadeDirectly(const Frame& frame) {
-    if (!projected_.empty()) {
-        projection_->shade(context_, frame, host_, kept(), projected_);
-    }
+Status BackboneCubemapped::shadeDirectly(const Frame& frame) {
+    return projected_.empty() ? Status()
+                              : projection_->shade(context_, frame, host_, kept(), projected_);
 }
 
 Result<const gl::RenderToTexture2D*> BackboneCubemapped::computeVisibility(const Frame& frame) {

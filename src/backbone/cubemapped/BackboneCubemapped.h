@@ -43,7 +43,7 @@ private:
 
     Status prepare(const Frame& frame) override;
     bool shadesDirectly() const override;
-    void shadeDirectly(const Frame& frame) override;
+    Status shadeDirectly(const Frame& frame) override;
     Result<const gl::RenderToTexture2D*> computeVisibility(const Frame& frame) override;
     bool noisy() const override;
     Status finishFrame(const Frame& frame) override;

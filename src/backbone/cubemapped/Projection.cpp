@@ -17,6 +17,7 @@ constexpr int kCubeDepthUnit = 2;
 constexpr int kPagesUnit = 3;
 constexpr int kBestUnit = 4;
 constexpr int kRepairedUnit = 5;
+constexpr int kHalfUnit = 6;
 /// Defined in the shaders that look at detail and at repaired pixels, too.
 constexpr const char* kDetail = "AO_DETAIL";
 constexpr const char* kRepaired = "AO_REPAIRED";
@@ -48,6 +49,21 @@ Result<Projection> Projection::create(const BackboneContext& context) {
         }
         projection.project_[variant] = std::move(*project);
         projection.shade_[variant] = std::move(*shade);
+    }
+    for (std::size_t variant = 0; variant < projection.upsample_.size(); ++variant) {
+        const char* repaired = variant == 1 ? kRepaired : "";
+        auto shade =
+            buildShader(context.gl, "fullscreen.vert", "cubemap/shade_half.frag", {repaired});
+        if (!shade) {
+            return shade.status();
+        }
+        auto upsample =
+            buildShader(context.gl, "fullscreen.vert", "cubemap/upsample.frag", {repaired});
+        if (!upsample) {
+            return upsample.status();
+        }
+        projection.shadeHalf_[variant] = std::move(*shade);
+        projection.upsample_[variant] = std::move(*upsample);
     }
     return projection;
 }
@@ -91,27 +107,44 @@ void Projection::bind(gl::GLSLShader& shader, const Frame& frame, const HostFram
     shader.set("uFaceLayers", layers);
 }
 
-void Projection::shade(const BackboneContext& context, const Frame& frame,
-                       const HostFramebuffer& host, const KeptTexels& kept,
-                       const std::vector<CubeMapProjector*>& projectors) {
+void Projection::bindHalf(gl::GLSLShader& shader, const Frame& frame, const HostFramebuffer& host,
+                          const KeptTexels& kept, const gl::RenderToTexture2D& half) {
+    bind(shader, frame, host, kept, {});
+    half.bindTexture(0, kHalfUnit);
+    shader.set("uHalf", kHalfUnit);
+}
+
+Status Projection::shade(const BackboneContext& context, const Frame& frame,
+                         const HostFramebuffer& host, const KeptTexels& kept,
+                         const std::vector<CubeMapProjector*>& projectors) {
     const gl::DebugGroup group(context.gl, "aolib: project and blend");
-    gl::GLSLShader& shader = variant(shade_, kept);
-    bind(shader, frame, host, kept, projectors);
-    shader.set("uOrigin", frame.origin);
-    shader.set("uContrast", context.options.contrast);
+    gl::GLSLShader* shader = &variant(shade_, kept);
+    if (context.options.cubeMaps.halfResolution) {
+        const auto half = project(context, frame, host, kept, projectors);
+        if (!half) {
+            return half.status();
+        }
+        shader = &shadeHalf_[kept.repaired == nullptr ? 0 : 1];
+        bindHalf(*shader, frame, host, kept, **half);
+    } else {
+        bind(*shader, frame, host, kept, projectors);
+    }
+    shader->set("uOrigin", frame.origin);
+    shader->set("uContrast", context.options.contrast);
     beginHostColours(context, frame);
     blendIntoHost(context);
     endHostColours(context);
+    return {};
 }
 
-Status Projection::prepare(const BackboneContext& context, const Frame& frame,
+Status Projection::prepare(const BackboneContext& context, const glm::ivec2& size,
                            gl::RenderToTexture2D& target) {
-    if (target && target.width() == frame.size.x && target.height() == frame.size.y) {
+    if (target && target.width() == size.x && target.height() == size.y) {
         return {};
     }
     auto created = gl::RenderToTexture2D::create(
-        context.gl, {.width = frame.size.x,
-                     .height = frame.size.y,
+        context.gl, {.width = size.x,
+                     .height = size.y,
                      .targets = {gl::RenderToTexture2D::Format::RGBA32F},
                      .label = "aolib/frame/best"});
     if (created) {
@@ -121,14 +154,14 @@ Status Projection::prepare(const BackboneContext& context, const Frame& frame,
 }
 
 Result<const gl::RenderToTexture2D*>
-Projection::apply(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,
-                  const KeptTexels& kept, const std::vector<CubeMapProjector*>& projectors) {
-    const gl::DebugGroup group(context.gl, "aolib: project cube maps");
+Projection::project(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,
+                    const KeptTexels& kept, const std::vector<CubeMapProjector*>& projectors) {
     const int cubes = static_cast<int>(projectors.size());
+    const int stride = context.options.cubeMaps.halfResolution ? 2 : 1;
     const bool single = context.options.cubeMaps.projection == ProjectionMethod::SinglePass;
     const int perPass = single ? std::max(cubes, 1) : 1;
     for (gl::RenderToTexture2D& target : best_) {
-        if (Status status = prepare(context, frame, target); !status) {
+        if (Status status = prepare(context, (frame.size + stride - 1) / stride, target); !status) {
             return status;
         }
         if (perPass >= cubes) {
@@ -138,6 +171,7 @@ Projection::apply(const BackboneContext& context, const Frame& frame, const Host
     gl::GLSLShader& shader = variant(project_, kept);
     bind(shader, frame, host, kept, projectors);
     shader.set("uBest", kBestUnit);
+    shader.set("uStride", stride);
     const gl::RenderToTexture2D* best = nullptr;
     for (int first = 0; first == 0 || first < cubes; first += perPass) {
         const gl::RenderToTexture2D* next = best == &best_[0] ? &best_[1] : &best_[0];
@@ -154,8 +188,26 @@ Projection::apply(const BackboneContext& context, const Frame& frame, const Host
     return best;
 }
 
+Result<const gl::RenderToTexture2D*>
+Projection::apply(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,
+                  const KeptTexels& kept, const std::vector<CubeMapProjector*>& projectors) {
+    const gl::DebugGroup group(context.gl, "aolib: project cube maps");
+    const auto projected = project(context, frame, host, kept, projectors);
+    if (!projected || !context.options.cubeMaps.halfResolution) {
+        return projected;
+    }
+    if (Status status = prepare(context, frame.size, upsampled_); !status) {
+        return status;
+    }
+    gl::GLSLShader& shader = upsample_[kept.repaired == nullptr ? 0 : 1];
+    bindHalf(shader, frame, host, kept, **projected);
+    upsampled_.begin(0);
+    context.generated.drawFullscreen();
+    return &upsampled_;
+}
+
 std::size_t Projection::bytes() const {
-    std::size_t sum = 0;
+    std::size_t sum = upsampled_ ? upsampled_.bytes() : 0;
     for (const gl::RenderToTexture2D& target : best_) {
         sum += target ? target.bytes() : 0;
     }

@@ -28,9 +28,10 @@ public:
     static void bind(gl::GLSLShader& shader, const Frame& frame, const HostFramebuffer& host,
                      const KeptTexels& kept, const std::vector<CubeMapProjector*>& projectors);
 
-    /// Darkens the host's picture in a single pass.
-    void shade(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,
-               const KeptTexels& kept, const std::vector<CubeMapProjector*>& projectors);
+    /// Darkens the host's picture: in a single pass, or two at half resolution. Errors:
+    /// OutOfMemory.
+    Status shade(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,
+                 const KeptTexels& kept, const std::vector<CubeMapProjector*>& projectors);
 
     /// The same into a target whose texture 0 holds, per pixel, the weighted sum of W, log2 of
     /// quality, the face's code and the weight; in one pass, or to and fro between two targets.
@@ -41,8 +42,15 @@ public:
     std::size_t bytes() const;
 
 private:
-    Status prepare(const BackboneContext& context, const Frame& frame,
-                   gl::RenderToTexture2D& target);
+    static Status prepare(const BackboneContext& context, const glm::ivec2& size,
+                          gl::RenderToTexture2D& target);
+    /// Projects at full resolution or half. Errors: OutOfMemory.
+    Result<const gl::RenderToTexture2D*> project(const BackboneContext& context, const Frame& frame,
+                                                 const HostFramebuffer& host,
+                                                 const KeptTexels& kept,
+                                                 const std::vector<CubeMapProjector*>& projectors);
+    static void bindHalf(gl::GLSLShader& shader, const Frame& frame, const HostFramebuffer& host,
+                         const KeptTexels& kept, const gl::RenderToTexture2D& half);
 
     /// Without and with detail, without and with repaired pixels.
     using Variants = std::array<gl::GLSLShader, 4>;
@@ -50,7 +58,10 @@ private:
 
     Variants project_;
     Variants shade_;
+    std::array<gl::GLSLShader, 2> shadeHalf_; ///< without and with repaired pixels
+    std::array<gl::GLSLShader, 2> upsample_;
     std::array<gl::RenderToTexture2D, 2> best_;
+    gl::RenderToTexture2D upsampled_; ///< of frames with buffers at half resolution
 };
 
 } // namespace aolib

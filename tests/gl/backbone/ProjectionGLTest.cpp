@@ -1,5 +1,6 @@
 // What a cube map holds reaches the pixels: no leak through walls, the better of two wins.
 #include <cmath>
+#include <utility>
 
 #include "SmallScene.h"
 
@@ -101,6 +102,45 @@ TEST_P(ProjectionGLTest, BothMethodsGiveTheSamePixels) {
     const auto [pingPong, pingPongW] = render(ProjectionMethod::PingPong);
     EXPECT_EQ(single, pingPong) << "as the host sees them";
     EXPECT_EQ(singleW, pingPongW) << "as they are read back";
+}
+
+/// Odd sizes, so that the last row and column have no sample of their own.
+TEST_P(ProjectionGLTest, HalfTheResolutionDiffersAtEdgesAlone) {
+    Options o = projectionOptions();
+    o.estimator = Estimator::HorizonSplit;
+    o.cubeMaps.faceSize = 128;
+    SmallHost host(gl, loader, courtyard(), o, 161, 91);
+    host.lookAt({1, 3, 4}, {0, 0, -4});
+    for (const glm::vec3 position : {glm::vec3(1, 2, 3), glm::vec3(-4, 2, 0)}) {
+        ASSERT_TRUE(host.ao().addCubeMap(position).ok());
+    }
+    const auto picture = [&](bool half, ProjectionMethod method) {
+        o.cubeMaps.halfResolution = half;
+        o.cubeMaps.projection = method;
+        EXPECT_TRUE(host.ao().setOptions(o).ok());
+        EXPECT_TRUE(host.frame().ok());
+        // What was blended is what is read.
+        const ByteImage colours = *host.framebuffer().readColour();
+        return std::pair(host.visibility().visibility, colours.pixels);
+    };
+    const auto [whole, wholeColours] = picture(false, ProjectionMethod::SinglePass);
+    const auto [half, halfColours] = picture(true, ProjectionMethod::SinglePass);
+    double squares = 0.0;
+    std::size_t above = 0;
+    std::size_t differing = 0;
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+        EXPECT_EQ(half[i] < 0.0F, whole[i] < 0.0F);
+        const double difference = half[i] - whole[i];
+        squares += difference * difference;
+        above += std::abs(difference) > 0.02 ? 1 : 0;
+        differing += half[i] != whole[i] ? 1 : 0;
+        EXPECT_EQ(half[i] == whole[i] && halfColours[3 * i] != wholeColours[3 * i], false) << i;
+    }
+    EXPECT_GT(differing, whole.size() / 20) << "else this shows nothing";
+    EXPECT_LT(above, whole.size() / 50);
+    EXPECT_LT(std::sqrt(squares / static_cast<double>(whole.size())), 0.01);
+    EXPECT_EQ(picture(true, ProjectionMethod::PingPong).first, half);
+    EXPECT_EQ(picture(false, ProjectionMethod::SinglePass).first, whole);
 }
 
 TEST_P(ProjectionGLTest, OnlyTheNearestAreProjected) {

@@ -1,0 +1,19 @@
+#version 330 core
+// shade.frag with a projection at half the resolution.
+#include "cubemap/upsample.glsl"
+
+uniform ivec2 uOrigin; // lower left corner of the host's viewport, pixels
+uniform float uContrast;
+
+layout(location = 0) out vec4 outFactor;
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy) - uOrigin;
+    HostSurface surface;
+    if (!hostSurface(pixel, surface)) {
+        discard;
+    }
+    vec4 told = upsampled(pixel, surface);
+    float visibility = told.a > 0.0 ? told.r : 1.0;
+    outFactor = vec4(vec3(1.0 - uContrast + uContrast * visibility), 1.0);
+}

@@ -162,6 +162,7 @@ struct GuestCalls {
         options.radius = static_cast<float>(dice.between(1, 3));
         options.falloff = static_cast<Falloff>(dice.between(0, 2));
         options.cubeMaps.faceSize = dice.chance(0.5) ? 16 : 20;
+        options.cubeMaps.halfResolution = dice.chance(0.5);
         change(options);
     }
     void exchangeEstimator() {

@@ -53,6 +53,13 @@ protected:
                      }
                      return frame(ao);
                  }},
+                {"half resolution, frame",
+                 [](AmbientOcclusion& ao) {
+                     Options changed = ao.options();
+                     changed.cubeMaps.halfResolution = true;
+                     (void)ao.setOptions(changed);
+                     return frame(ao);
+                 }},
                 {"readCubeMap",
                  [](AmbientOcclusion& ao) {
                      return ao.readCubeMap(ao.cubeMaps().front().id).status();

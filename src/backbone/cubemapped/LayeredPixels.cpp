@@ -193,10 +193,10 @@ Status LayeredPixels::makeTargets(const RestingView& view, FoundPixels& found) {
                                            .targets = {gl::RenderToTexture2D::Format::RG32F},
                                            .label = "aolib/repair/sums"});
     if (sums) {
-        constexpr std::array<GLfloat, 4> kNothing{};
+        constexpr std::array<GLfloat, 4> kNoWeight{};
         work_->sums = std::move(*sums);
         work_->sums.begin(0);
-        gl.ClearBufferfv(GL_COLOR, 0, kNothing.data());
+        gl.ClearBufferfv(GL_COLOR, 0, kNoWeight.data());
     }
     return sums.status();
 }

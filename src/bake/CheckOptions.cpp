@@ -55,12 +55,19 @@ Status check(const ShadowOptions& options) {
 }
 
 Status check(const MapOptions& options) {
-    return Check()
-        .within("width", options.width, 1, 16384)
-        .within("height", options.height, 1, 16384)
-        .within("padding", options.padding, 0, 64)
-        .within("texelSamples", options.texelSamples, 1, 64)
-        .status();
+    const Status status = Check()
+                              .within("width", options.width, 1, 16384)
+                              .within("height", options.height, 1, 16384)
+                              .within("padding", options.padding, 0, 64)
+                              .within("texelSamples", options.texelSamples, 1, 64)
+                              .status();
+    const std::size_t texels =
+        static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
+    if (status && !options.wanted.empty() && options.wanted.size() != texels) {
+        return {StatusCode::InvalidOption, "wanted names " + std::to_string(options.wanted.size()) +
+                                               " texels, a map has " + std::to_string(texels)};
+    }
+    return status;
 }
 
 Status check(const VertexOptions& options) {

@@ -196,6 +196,9 @@ BakedMap ScatterBaker::mapOf(const TexelRaster& raster, const TexelSums& own,
     }
     std::transform(map.visibility.begin(), map.visibility.end(), map.visibility.begin(),
                    [](float w) { return std::min(w, 1.0F); });
+    for (std::size_t i = 0; i < options.wanted.size(); ++i) {
+        map.visibility[i] = options.wanted[i] != 0 ? map.visibility[i] : -1.0F;
+    }
     finish(map, options);
     return map;
 }

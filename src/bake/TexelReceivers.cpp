@@ -16,8 +16,8 @@ SampleRange sampleRange(int count, int place, int places) {
 TexelReceivers::TexelReceivers(const BakeGeometry& geometry, const Facets& facets, int map,
                                const MapOptions& options)
     : geometry_(geometry), facets_(facets), map_(map), most_(options.texelSamples),
-      centres_(geometry.scene(), map, options.width, options.height), triangle_(centres_.size()),
-      barycentric_(centres_.size()) {
+      wanted_(options.wanted), centres_(geometry.scene(), map, options.width, options.height),
+      triangle_(centres_.size()), barycentric_(centres_.size()) {
     moveTo(0, 1);
 }
 
@@ -56,7 +56,7 @@ void TexelReceivers::take(const TexelRaster& raster, bool inFacet) {
 }
 
 std::optional<SurfacePoint> TexelReceivers::at(std::size_t texel) const {
-    if (centres_.kind(texel) == TexelKind::Empty) {
+    if (centres_.kind(texel) == TexelKind::Empty || (!wanted_.empty() && wanted_[texel] == 0)) {
         return std::nullopt;
     }
     const glm::vec2& b = barycentric_[texel];

@@ -39,7 +39,7 @@ public:
     /// only one is the centre.
     void moveTo(int place, int places);
     /// The place in a texel; where that shows another facet or none, the place before it that did
-    /// not, at last the receiver at the centre. Nothing where the texel is empty.
+    /// not, at last the receiver at the centre. Nothing where the texel is empty or not wanted.
     std::optional<SurfacePoint> at(std::size_t texel) const;
 
 private:
@@ -49,6 +49,7 @@ private:
     const Facets& facets_;
     int map_;
     int most_;
+    const std::vector<std::uint8_t>& wanted_; ///< empty for all
     TexelRaster centres_;
     /// Per texel that is not empty: triangle and weights of its second and third vertex.
     std::vector<TriangleName> triangle_;

@@ -194,7 +194,7 @@ void attachScatter(BakeFlags& flags, CLI::App& command) {
         command, "--point-size",
         [&scatter](double size) { scatter.pointSize = static_cast<float>(size); },
         "texels along a point's edge, with fractions; 0 = the nearest texel alone")
-        ->default_str("1")
+        ->default_str("0.5")
         ->group(group);
     command
         .add_flag("!--no-stretch", scatter.stretchCorrection,

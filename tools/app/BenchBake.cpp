@@ -42,6 +42,7 @@ struct BenchBakeFlags {
     std::vector<int> samples;
     int size = 0;
     int truthRays = 4096;
+    int truthTexels = 0;
     int repeats = 1;
     bool quick = false;
     bool resume = false;
@@ -90,6 +91,7 @@ Outcome<bench::BakePlan> planOf(const BenchBakeFlags& flags) {
     bench::BakePlan plan;
     plan.mapSize = flags.size > 0 ? flags.size : (flags.quick ? 128 : 512);
     plan.truthRays = flags.truthRays;
+    plan.truthTexels = flags.truthTexels;
     plan.repeats = flags.repeats;
     plan.methods = flags.methods.empty()
                        ? std::vector<Method>{Method::Rays, Method::Scatter, Method::Shadow}
@@ -148,9 +150,12 @@ MaybeFailure benchBake(const BenchBakeFlags& flags) {
         return Failure{ExitCode::Failed, rows.status().message()};
     }
     const bench::MachineInfo machine = bench::describeMachine(session->describe());
-    const std::string where = machine.cpu + ", " + std::to_string(machine.cores) + " cores; " +
-                              machine.driver + "; truth " + std::to_string(plan->truthRays) +
-                              " rays";
+    const std::string where =
+        machine.cpu + ", " + std::to_string(machine.cores) + " cores; " + machine.driver +
+        "; truth " + std::to_string(plan->truthRays) + " rays" +
+        (plan->truthTexels > 0
+             ? ", at seams and " + std::to_string(plan->truthTexels) + " other texels"
+             : "");
     for (const std::string& reason :
          {bench::writeText(folder / "bake.csv", bench::bakeCsv(*rows)),
           bench::writeText(folder / "bake.md", where + "\n\n" + bench::bakeMarkdown(*rows)),
@@ -187,6 +192,9 @@ void addBenchBake(CLI::App& bench, MaybeFailure& failure) {
         *command, "--size", 16, 4096, [flags](int size) { flags->size = size; },
         "texels along the map; without it 512, quick 128");
     addWholeNumber(*command, "--truth-rays", 1, kMostRays, flags->truthRays, "per texel");
+    addWholeNumber(*command, "--truth-texels", 1, 1 << 24, flags->truthTexels,
+                   "trace the truth at all texels at seams and at so many others, drawn by chance; "
+                   "without it at all");
     addWholeNumber(*command, "--repeats", 1, kMostRepeats, flags->repeats,
                    "of each bake; the median time counts");
     command->add_flag("--quick", flags->quick, "three meshes, small maps, 32 and 64 samples");

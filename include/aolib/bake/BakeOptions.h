@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include <aolib/Options.h>
 
@@ -98,6 +99,10 @@ struct MapOptions {
     /// the mean over it: 1 (its centre alone) to 64. Scattering gives that mean by itself.
     int texelSamples = 16;
     bool fill = true; ///< fill what no chart covers, too, so that mipmaps mix nothing foreign in
+    /// Which texels of each map are wanted: not 0, as many as a map has, row 0 at the bottom; empty
+    /// for all. The others are left like those that no chart covers. Rays and shadow maps take so
+    /// much less time, scattering takes the same.
+    std::vector<std::uint8_t> wanted;
 };
 
 /// Settings of vertices.

@@ -50,6 +50,31 @@ TEST_P(GpuBakerGLTest, FloorBesideAWallIsAsDarkAsTheFormFactorSays) {
     expectWallsShadow(onlyMap(*shadow(floorBesideShortWall(), maps), 16), 0.02);
 }
 
+TEST_P(GpuBakerGLTest, WantedTexelsHaveTheirValuesAndTheOthersNone) {
+    ScatterOptions points;
+    points.directions = 16;
+    ShadowOptions depths;
+    depths.directions = 16;
+    depths.depthSize = 64;
+    const auto scatterer = scatter(sceneOf(unitFloor(1)), points);
+    const auto shadower = shadow(sceneOf(unitFloor(1)), depths);
+    MapOptions options;
+    options.width = options.height = 8;
+    options.padding = 0;
+    options.fill = false;
+    for (AbstractBaker* baker : {scatterer.get(), shadower.get()}) {
+        options.wanted.clear();
+        const auto all = baker->bakeMaps(options, {});
+        options.wanted.assign(64, 0);
+        options.wanted[30] = 1;
+        const auto some = baker->bakeMaps(options, {});
+        ASSERT_TRUE(all.ok() && some.ok());
+        for (std::size_t i = 0; i < 64; ++i) {
+            EXPECT_EQ(some->front().visibility[i], i == 30 ? all->front().visibility[i] : -1.0F);
+        }
+    }
+}
+
 TEST_P(GpuBakerGLTest, SeveralMapsAreBakedAtOnceAndDoNotMix) {
     BakeScene scene = sceneOf(unitFloor(1));
     UvMesh cover;

@@ -1,4 +1,5 @@
 #include <numeric>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -52,6 +53,32 @@ TEST(TexelSamplesTest, PlacesBesideTheChartAreNotLookedAt) {
         EXPECT_GT(map.visibility[y * 4 + 1], 0.95F);
         EXPECT_LT(map.visibility[y * 4 + 2], 0.05F);
     }
+}
+
+TEST(TexelSamplesTest, WantedTexelsHaveTheirValuesAndTheOthersNone) {
+    RayOptions rays;
+    rays.rays = 64;
+    auto baker = createRayBaker(floorHalfUnderARoof(0.3F), rays);
+    ASSERT_TRUE(baker.ok());
+    MapOptions options;
+    options.width = options.height = 8;
+    options.padding = 0;
+    options.fill = false;
+    const auto all = (*baker)->bakeMaps(options, {});
+    ASSERT_TRUE(all.ok());
+    options.wanted.assign(64, 0);
+    options.wanted[9] = options.wanted[30] = 1;
+    const auto some = (*baker)->bakeMaps(options, {});
+    ASSERT_TRUE(some.ok());
+    for (std::size_t i = 0; i < 64; ++i) {
+        const float expected = options.wanted[i] != 0 ? all->front().visibility[i] : -1.0F;
+        EXPECT_EQ(some->front().visibility[i], expected) << i;
+        EXPECT_EQ(some->front().kind[i], all->front().kind[i]);
+    }
+    options.wanted.pop_back();
+    const auto wrong = (*baker)->bakeMaps(options, {});
+    EXPECT_EQ(wrong.status().code(), StatusCode::InvalidOption);
+    EXPECT_NE(wrong.status().message().find("63 texels"), std::string::npos);
 }
 
 TEST(FacetsTest, CreasesAndChartsPartThemAndSharedVerticesDoNot) {

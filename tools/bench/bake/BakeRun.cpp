@@ -44,18 +44,22 @@ Result<Baker> bakerOf(const BakeMesh& mesh, BakeMethodName method, int samples,
     return bake::createScatterBaker(loader, mesh.scene, options);
 }
 
-Result<bake::BakedMap> mapOf(const Result<Baker>& baker, int size) {
+Result<bake::BakedMap> mapOf(const Result<Baker>& baker, const bake::MapOptions& options) {
     if (!baker) {
         return baker.status();
     }
-    bake::MapOptions options;
-    options.width = size;
-    options.height = size;
     auto maps = (*baker)->bakeMaps(options, {});
     if (!maps) {
         return maps.status();
     }
     return std::move(maps->front());
+}
+
+bake::MapOptions mapOptions(const BakePlan& plan) {
+    bake::MapOptions options;
+    options.width = plan.mapSize;
+    options.height = plan.mapSize;
+    return options;
 }
 
 double median(std::vector<double> values) {
@@ -73,7 +77,7 @@ Result<BakeRow> measured(const BakeMesh& mesh, BakeMethodName method, int sample
         const Result<Baker> baker = bakerOf(mesh, method, samples, loader);
         const Clock::time_point start = Clock::now();
         const std::clock_t used = std::clock();
-        const Result<bake::BakedMap> map = mapOf(baker, plan.mapSize);
+        const Result<bake::BakedMap> map = mapOf(baker, mapOptions(plan));
         if (!map) {
             return map.status();
         }
@@ -86,11 +90,32 @@ Result<BakeRow> measured(const BakeMesh& mesh, BakeMethodName method, int sample
     return row;
 }
 
+/// The texels of a map that a truth is traced at.
+Result<bake::MapOptions> truthMap(const Result<Baker>& baker, const BakePlan& plan) {
+    bake::MapOptions options = mapOptions(plan);
+    if (plan.truthTexels == 0) {
+        return options;
+    }
+    options.padding = 0;
+    options.fill = false;
+    options.wanted.assign(
+        static_cast<std::size_t>(plan.mapSize) * static_cast<std::size_t>(plan.mapSize), 0);
+    const Result<bake::BakedMap> kinds = mapOf(baker, options);
+    if (!kinds) {
+        return kinds.status();
+    }
+    options.wanted = sampledTexels(*kinds, plan.truthTexels);
+    return options;
+}
+
 /// A truth, from a file where an earlier run has left it.
 Result<bake::BakedMap> truthOf(const BakeMesh& mesh, const BakePlan& plan,
                                const std::filesystem::path& folder) {
-    const std::string name =
+    std::string name =
         mesh.name + "-" + std::to_string(plan.mapSize) + "-" + std::to_string(plan.truthRays);
+    if (plan.truthTexels > 0) {
+        name += "-" + std::to_string(plan.truthTexels);
+    }
     if (!folder.empty()) {
         if (std::optional<bake::BakedMap> kept = readBakedMap(folder / name)) {
             return std::move(*kept);
@@ -99,7 +124,12 @@ Result<bake::BakedMap> truthOf(const BakeMesh& mesh, const BakePlan& plan,
     bake::RayOptions rays;
     rays.rays = plan.truthRays;
     rays.seed = truthSeed;
-    Result<bake::BakedMap> made = mapOf(bake::createRayBaker(mesh.scene, rays), plan.mapSize);
+    const Result<Baker> baker = bake::createRayBaker(mesh.scene, rays);
+    const Result<bake::MapOptions> options = truthMap(baker, plan);
+    if (!options) {
+        return options.status();
+    }
+    Result<bake::BakedMap> made = mapOf(baker, *options);
     if (made && !folder.empty()) {
         writeBakedMap(folder / name, *made);
     }

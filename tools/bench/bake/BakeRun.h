@@ -30,6 +30,7 @@ struct BakePlan {
     std::vector<int> samples; ///< rays per texel, or directions
     int mapSize = 512;        ///< texels
     int truthRays = 4096;     ///< per texel, of another seed than those measured
+    int truthTexels = 0;      ///< inside charts, drawn by chance, besides all at seams; 0 for all
     int repeats = 1;          ///< the median time counts
 };
 

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include <glm/geometric.hpp>
 
 namespace aolib::bench {
-
-namespace {
 
 bool atSeam(const bake::BakedMap& map, int x, int y) {
     for (int v = std::max(0, y - 1); v <= std::min(map.height - 1, y + 1); ++v) {
@@ -21,7 +20,33 @@ bool atSeam(const bake::BakedMap& map, int x, int y) {
     return false;
 }
 
-} // namespace
+std::vector<std::uint8_t> sampledTexels(const bake::BakedMap& map, int inside) {
+    std::vector<std::uint8_t> wanted(map.kind.size(), 0);
+    std::vector<std::size_t> left;
+    for (int y = 0; y < map.height; ++y) {
+        for (int x = 0; x < map.width; ++x) {
+            const auto i = static_cast<std::size_t>(y * map.width + x);
+            if (map.kind[i] == bake::TexelKind::Empty) {
+                continue;
+            }
+            if (atSeam(map, x, y)) {
+                wanted[i] = 1;
+            } else {
+                left.push_back(i);
+            }
+        }
+    }
+    // Knuth's algorithm S: each is taken with the share of those yet needed in those yet to come.
+    std::mt19937 random;
+    auto needed = static_cast<std::uint64_t>(inside);
+    for (std::size_t k = 0; k < left.size() && needed > 0; ++k) {
+        if (random() * std::uint64_t{left.size() - k} < needed << 32U) {
+            wanted[left[k]] = 1;
+            --needed;
+        }
+    }
+    return wanted;
+}
 
 MapErrors errorsOf(const bake::BakedMap& map, const bake::BakedMap& truth) {
     MapErrors errors;
@@ -32,7 +57,7 @@ MapErrors errorsOf(const bake::BakedMap& map, const bake::BakedMap& truth) {
     for (int y = 0; y < map.height; ++y) {
         for (int x = 0; x < map.width; ++x) {
             const auto i = static_cast<std::size_t>(y * map.width + x);
-            if (truth.kind[i] == bake::TexelKind::Empty) {
+            if (truth.kind[i] == bake::TexelKind::Empty || truth.visibility[i] < 0.0F) {
                 continue;
             }
             const double w = double(truth.visibility[i]);

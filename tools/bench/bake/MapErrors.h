@@ -1,8 +1,18 @@
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include <aolib/bake/AbstractBaker.h>
 
 namespace aolib::bench {
+
+/// Whether a chart's border goes through a texel or one of those about it.
+bool atSeam(const bake::BakedMap& map, int x, int y);
+
+/// For `bake::MapOptions::wanted`: all texels at seams, and as many of those inside charts, drawn
+/// by chance, always the same ones.
+std::vector<std::uint8_t> sampledTexels(const bake::BakedMap& map, int inside);
 
 /// How far a map is from another one. Texels at seams are those a chart's border goes through, and
 /// those beside them.
@@ -14,6 +24,7 @@ struct MapErrors {
     int compared = 0;       ///< texels
 };
 
+/// @param truth  texels whose W is below 0 are not compared.
 MapErrors errorsOf(const bake::BakedMap& map, const bake::BakedMap& truth);
 
 } // namespace aolib::bench

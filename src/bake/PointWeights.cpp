@@ -28,7 +28,8 @@ PointWeights::PointWeights(const BakeGeometry& geometry, const BakeFrame& frame,
         const Surface& surface = surfaces[s];
         const auto count = static_cast<std::uint32_t>(surface.indices.size() / 3);
         for (std::uint32_t t = 0; surface.map >= 0 && t < count; ++t) {
-            if (uvFault(surface, t, glm::dvec2(settings.mapSize)) == UvFault::None) {
+            if (settings.barycentric ||
+                uvFault(surface, t, glm::dvec2(settings.mapSize)) == UvFault::None) {
                 triangles_[geometry.numberOf({s, t})] = triangleOf(surface, t, frame, settings);
             }
         }
@@ -43,7 +44,8 @@ PointWeights::Triangle PointWeights::triangleOf(const Surface& surface, std::uin
     for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t vertex = surface.indices[std::size_t{number} * 3 + k];
         p[k] = glm::dvec3(frame.toFrame(glm::dvec3(surface.positions[vertex])));
-        uv[k] = glm::clamp(glm::dvec2(surface.uvs[vertex]), 0.0, 1.0);
+        uv[k] = settings.barycentric ? glm::dvec2(k == 1 ? 1.0 : 0.0, k == 2 ? 1.0 : 0.0)
+                                     : glm::clamp(glm::dvec2(surface.uvs[vertex]), 0.0, 1.0);
         const bool given = !surface.normals.empty() && isFinite(surface.normals[vertex]);
         normals[k] = given ? glm::dvec3(surface.normals[vertex]) : glm::dvec3(0.0);
     }

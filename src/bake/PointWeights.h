@@ -22,6 +22,9 @@ public:
         glm::ivec2 mapSize{0};  ///< texels
         float density = 0.0F;   ///< square texels per square frame unit; 0: each triangle's own
         glm::vec4 ground{0.0F}; ///< up and height in the frame; up 0 for none
+        /// Places are told by the weights of the triangle's second and third corner instead of u
+        /// and v, whatever these are.
+        bool barycentric = false;
     };
 
     PointWeights(const BakeGeometry& geometry, const BakeFrame& frame, const Settings& settings);

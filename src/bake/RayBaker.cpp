@@ -159,39 +159,6 @@ Result<std::vector<glm::vec4>> RayBaker::tracePoints(const std::vector<SurfacePo
     return values;
 }
 
-/// @param faceted  about the triangles' own normals, as the seed does.
-Result<std::vector<glm::vec4>> RayBaker::traceSamples(const std::vector<SurfaceSample>& samples,
-                                                      bool faceted,
-                                                      const BakeProgress& progress) const {
-    std::vector<SurfacePoint> points;
-    points.reserve(samples.size());
-    for (const SurfaceSample& sample : samples) {
-        SurfacePoint point =
-            *geometry_.point(sample.triangle, double{sample.b1}, double{sample.b2});
-        point.normal = faceted ? point.plane : point.normal;
-        points.push_back(point);
-    }
-    return tracePoints(points, nullptr, progress);
-}
-
-Result<std::vector<glm::vec4>> RayBaker::weldedValues(const VertexWeld& weld,
-                                                      const VertexOptions& options,
-                                                      std::vector<OpenSectors>* sectors,
-                                                      const BakeProgress& progress) const {
-    if (options.fit == VertexFit::Direct) {
-        return tracePoints(weld.points, sectors, progress);
-    }
-    const bool mean = options.fit == VertexFit::TriangleMean;
-    const std::vector<SurfaceSample> samples =
-        mean ? triangleCentres(geometry_) : spreadSamples(geometry_, double{options.density});
-    const Result<std::vector<glm::vec4>> values = traceSamples(samples, mean, progress);
-    if (!values) {
-        return values;
-    }
-    return mean ? meanAboutVertices(geometry_, weld, samples, *values)
-                : fitVertices(geometry_, weld, samples, *values, double{options.smoothness});
-}
-
 Result<std::vector<BakedVertices>> RayBaker::bakeVertices(const VertexOptions& options,
                                                           const BakeProgress& progress) try {
     if (Status status = check(options); !status) {
@@ -203,8 +170,10 @@ Result<std::vector<BakedVertices>> RayBaker::bakeVertices(const VertexOptions& o
     }
     const VertexWeld weld = weldVertices(geometry_);
     std::vector<OpenSectors> sectors;
-    const Result<std::vector<glm::vec4>> values =
-        weldedValues(weld, options, options_.sectors ? &sectors : nullptr, progress);
+    const auto trace = [&](const std::vector<SurfacePoint>& points) {
+        return tracePoints(points, options_.sectors ? &sectors : nullptr, progress);
+    };
+    const Result<std::vector<glm::vec4>> values = weldedValues(geometry_, weld, options, trace);
     if (!values) {
         return values.status();
     }

@@ -8,7 +8,6 @@
 
 #include "bake/BakeGeometry.h"
 #include "bake/HemisphereTracer.h"
-#include "bake/SurfaceSamples.h"
 #include "bake/TexelReceivers.h"
 #include "bake/VertexWeld.h"
 #include "raytracing/RayScene.h"
@@ -42,12 +41,6 @@ private:
     Result<std::vector<glm::vec4>> tracePoints(const std::vector<SurfacePoint>& points,
                                                std::vector<OpenSectors>* sectors,
                                                const BakeProgress& progress) const;
-    Result<std::vector<glm::vec4>> traceSamples(const std::vector<SurfaceSample>& samples,
-                                                bool faceted, const BakeProgress& progress) const;
-    Result<std::vector<glm::vec4>> weldedValues(const VertexWeld& weld,
-                                                const VertexOptions& options,
-                                                std::vector<OpenSectors>* sectors,
-                                                const BakeProgress& progress) const;
     SequenceSeed seedOf(int kind, std::size_t a, std::size_t b) const;
 
     BakeGeometry geometry_;

@@ -275,12 +275,6 @@ Result<std::vector<BakedMap>> ScatterBaker::bakeMaps(const MapOptions& options,
     return noMemoryForMaps(options);
 }
 
-Result<std::vector<BakedVertices>> ScatterBaker::bakeVertices(const VertexOptions& /*options*/,
-                                                              const BakeProgress& /*progress*/) {
-    return Status(StatusCode::MissingCapability,
-                  "scattering fills maps; vertices are baked by rays or shadow maps");
-}
-
 Result<std::unique_ptr<AbstractBaker>> createScatterBaker(const ProcAddressLoader& loader,
                                                           BakeScene scene,
                                                           const ScatterOptions& options) {

@@ -10,10 +10,12 @@
 #include "bake/ScatterPasses.h"
 #include "bake/TexelRaster.h"
 #include "bake/ThinTexels.h"
+#include "bake/VertexSums.h"
 
 namespace aolib::bake {
 
-/// Bakes maps by scattering what each direction of light sees (McGraw and Sowers 2008).
+/// Bakes maps and vertices by scattering what each direction of light sees (McGraw and Sowers
+/// 2008).
 class ScatterBaker final : public AbstractBaker {
 public:
     ScatterBaker(GpuBake gpu, const ScatterOptions& options)
@@ -34,6 +36,7 @@ private:
     Result<Sums> sumStack(const ScatterPasses::Settings& settings, const BakeVertices& vertices,
                           std::span<const PointShape> shapes, const std::vector<float>& facets,
                           const BakeProgress& progress) const;
+    Status sumVertices(VertexSums& sums, const BakeProgress& progress) const;
     BakedMap mapOf(const TexelRaster& raster, const TexelSums& own,
                    const MapOptions& options) const;
 

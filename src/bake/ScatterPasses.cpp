@@ -80,7 +80,9 @@ Result<ScatterPasses> ScatterPasses::create(const gl::Functions& gl, const Setti
     const glm::ivec2 raster(settings.rasterSize);
     if (!settings.draws) {
         keep(passes.surfaceShader_,
-             buildBakeShader(gl, "bake/scatter_triangle.vert", "bake/scatter_triangle.frag"));
+             settings.places
+                 ? buildBakeShader(gl, "bake/scatter_position.vert", "bake/scatter_position.frag")
+                 : buildBakeShader(gl, "bake/scatter_triangle.vert", "bake/scatter_triangle.frag"));
         keep(passes.surface_,
              target(raster, {Format::RGBA32F}, Depth::Depth32F, "aolib/bake/surface"));
         return status ? Result<ScatterPasses>(std::move(passes)) : status;

@@ -29,6 +29,7 @@ public:
         float density = 0.0F;   ///< square texels per square frame unit; 0: by the Jacobian
         glm::vec4 ground{0.0F}; ///< up and height in the frame; up 0 for none
         bool draws = true;      ///< points are drawn and blended; else they are only told
+        bool places = false;    ///< told by their places in the frame, not in the map
     };
 
     /// A picture's side, frame units: it just holds the scene, whose bounding sphere's diameter is
@@ -45,8 +46,8 @@ public:
     void drawSurface(const BakeVertices& vertices, const LightView& view);
     /// Stage 2, where points are drawn: adds it to the sums.
     void scatter(const LightView& view);
-    /// Stage 1's picture: u, v, number of the triangle from 1, 0 for none. Where points are not
-    /// drawn.
+    /// Stage 1's picture: u, v, number of the triangle from 1, 0 for none; or with `places` x, y,
+    /// z, number. Where points are not drawn.
     const std::vector<glm::vec4>& readSurface();
 
     /// Per texel of the stack, from the bottom: weighed direction and weight. Where points are

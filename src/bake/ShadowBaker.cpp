@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <new>
+#include <string>
 #include <utility>
 
 #include "bake/CheckOptions.h"
 #include "bake/MapLoop.h"
+#include "bake/VertexFitting.h"
 #include "bake/VertexWeld.h"
 #include "gl/StateGuard.h"
 
@@ -13,8 +15,8 @@ namespace aolib::bake {
 
 namespace {
 
-/// Columns of the grid that vertices are put into.
-constexpr int vertexColumns = 1024;
+/// Columns of the grid that vertices are put into, where they fit.
+constexpr int leastColumns = 1024;
 
 } // namespace
 
@@ -102,24 +104,24 @@ Result<std::vector<BakedMap>> ShadowBaker::bakeMaps(const MapOptions& options,
     return noMemoryForMaps(options);
 }
 
-Result<std::vector<BakedVertices>> ShadowBaker::bakeVertices(const VertexOptions& options,
-                                                             const BakeProgress& progress) try {
-    if (Status status = check(options); !status) {
-        return status;
-    }
-    if (options.fit != VertexFit::Direct) {
-        return Status(StatusCode::MissingCapability,
-                      "shadow maps are read at the vertices alone; rays fit the surface");
-    }
+/// W and the weighed direction at places.
+Result<std::vector<glm::vec4>> ShadowBaker::valuesAt(const std::vector<SurfacePoint>& points,
+                                                     const BakeProgress& progress) const {
     const Result<BakeVertices> vertices = gpu_.upload(1, 1, nullptr);
     if (!vertices) {
         return vertices.status();
     }
-    const VertexWeld weld = weldVertices(gpu_.geometry);
-    const int rows = static_cast<int>((weld.points.size() + vertexColumns - 1) / vertexColumns);
-    std::vector<std::optional<SurfacePoint>> receivers(weld.points.begin(), weld.points.end());
-    receivers.resize(static_cast<std::size_t>(rows) * vertexColumns);
-    Result<ShadowPasses> passes = passesFor({vertexColumns, rows});
+    const int most = gpu_.gl->capabilities.maxTextureSize;
+    const int columns =
+        points.size() <= std::size_t(leastColumns) * std::size_t(most) ? leastColumns : most;
+    const auto rows = (points.size() + std::size_t(columns) - 1) / std::size_t(columns);
+    if (rows > std::size_t(most)) {
+        return Status(StatusCode::MissingCapability,
+                      std::to_string(points.size()) + " places are more than a texture holds");
+    }
+    std::vector<std::optional<SurfacePoint>> receivers(points.begin(), points.end());
+    receivers.resize(rows * std::size_t(columns));
+    Result<ShadowPasses> passes = passesFor({columns, static_cast<int>(rows)});
     if (!passes) {
         return passes.status();
     }
@@ -132,10 +134,27 @@ Result<std::vector<BakedVertices>> ShadowBaker::bakeVertices(const VertexOptions
     for (const glm::vec4& sum : sumsOf(*passes)) {
         values.emplace_back(static_cast<float>(double{sum.w} * norm), glm::vec3(sum));
     }
+    values.resize(points.size());
+    return values;
+}
+
+Result<std::vector<BakedVertices>> ShadowBaker::bakeVertices(const VertexOptions& options,
+                                                             const BakeProgress& progress) try {
+    if (Status status = check(options); !status) {
+        return status;
+    }
+    const auto trace = [&](const std::vector<SurfacePoint>& points) {
+        return valuesAt(points, progress);
+    };
+    const VertexWeld weld = weldVertices(gpu_.geometry);
+    const Result<std::vector<glm::vec4>> values = weldedValues(gpu_.geometry, weld, options, trace);
+    if (!values) {
+        return values.status();
+    }
     if (progress) {
         progress(1.0);
     }
-    return unweldedVertices(gpu_.geometry, weld, values);
+    return unweldedVertices(gpu_.geometry, weld, *values);
 } catch (const std::bad_alloc&) {
     return Status(StatusCode::OutOfMemory, "no memory left for the values of vertices");
 }

@@ -30,6 +30,8 @@ private:
     Status add(ShadowPasses& passes, const BakeVertices& vertices, Receivers receivers,
                const SampleRange& directions, const BakeProgress& progress) const;
     std::vector<glm::vec4> sumsOf(const ShadowPasses& passes) const;
+    Result<std::vector<glm::vec4>> valuesAt(const std::vector<SurfacePoint>& points,
+                                            const BakeProgress& progress) const;
     Status bakeMap(TexelReceivers& receivers, const BakeVertices& vertices, BakedMap& map,
                    const BakeProgress& progress) const;
 

@@ -47,6 +47,17 @@ std::vector<SurfaceSample> triangleCentres(const BakeGeometry& geometry) {
     return samples;
 }
 
+std::vector<SurfaceSample> edgeMiddles(const BakeGeometry& geometry) {
+    std::vector<SurfaceSample> samples;
+    eachTriangle(geometry, [&](const TriangleName& name, double area) {
+        const auto third = static_cast<float>(area / 3.0);
+        samples.push_back({name, 0.5F, 0.0F, third});
+        samples.push_back({name, 0.5F, 0.5F, third});
+        samples.push_back({name, 0.0F, 0.5F, third});
+    });
+    return samples;
+}
+
 std::vector<SurfaceSample> spreadSamples(const BakeGeometry& geometry, double density) {
     double total = 0.0;
     std::size_t triangles = 0;

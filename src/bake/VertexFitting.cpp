@@ -165,4 +165,37 @@ std::vector<glm::vec4> fitVertices(const BakeGeometry& geometry, const VertexWel
     return {x.begin(), x.end()};
 }
 
+std::vector<glm::vec4> fitIntegrals(const BakeGeometry& geometry, const VertexWeld& weld,
+                                    const std::vector<glm::dvec4>& right,
+                                    const std::vector<glm::vec4>& start, double smoothness) {
+    const std::vector<SurfaceSample> samples = edgeMiddles(geometry);
+    Values x(start.begin(), start.end());
+    solve(FitMatrix(geometry, weld, samples, smoothness), right, x);
+    return {x.begin(), x.end()};
+}
+
+Result<std::vector<glm::vec4>> weldedValues(const BakeGeometry& geometry, const VertexWeld& weld,
+                                            const VertexOptions& options,
+                                            const ValuesAt& valuesAt) {
+    if (options.fit == VertexFit::Direct) {
+        return valuesAt(weld.points);
+    }
+    const bool mean = options.fit == VertexFit::TriangleMean;
+    const std::vector<SurfaceSample> samples =
+        mean ? triangleCentres(geometry) : spreadSamples(geometry, double{options.density});
+    std::vector<SurfacePoint> places;
+    places.reserve(samples.size());
+    for (const SurfaceSample& sample : samples) {
+        SurfacePoint place = *geometry.point(sample.triangle, double{sample.b1}, double{sample.b2});
+        place.normal = mean ? place.plane : place.normal; // as GPU Gems, 17.2, does
+        places.push_back(place);
+    }
+    const Result<std::vector<glm::vec4>> values = valuesAt(places);
+    if (!values) {
+        return values;
+    }
+    return mean ? meanAboutVertices(geometry, weld, samples, *values)
+                : fitVertices(geometry, weld, samples, *values, double{options.smoothness});
+}
+
 } // namespace aolib::bake

@@ -1,9 +1,13 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
 #include <glm/vec4.hpp>
+
+#include <aolib/Status.h>
+#include <aolib/bake/BakeOptions.h>
 
 #include "bake/SurfaceSamples.h"
 #include "bake/VertexWeld.h"
@@ -24,5 +28,21 @@ std::vector<glm::vec4> meanAboutVertices(const BakeGeometry& geometry, const Ver
 std::vector<glm::vec4> fitVertices(const BakeGeometry& geometry, const VertexWeld& weld,
                                    std::span<const SurfaceSample> samples,
                                    std::span<const glm::vec4> values, double smoothness);
+
+/// The same with integrals over the surface in place of samples.
+/// @param right  per number the integral of b_k times the value, square world units.
+/// @param start  values to begin from.
+std::vector<glm::vec4> fitIntegrals(const BakeGeometry& geometry, const VertexWeld& weld,
+                                    const std::vector<glm::dvec4>& right,
+                                    const std::vector<glm::vec4>& start, double smoothness);
+
+/// W, and the direction as xyz in the last three, at places: by whatever method.
+using ValuesAt =
+    std::function<Result<std::vector<glm::vec4>>(const std::vector<SurfacePoint>& places)>;
+
+/// A value for each welded vertex as the options say, from values at the places that they ask for.
+/// Errors: those of `valuesAt`.
+Result<std::vector<glm::vec4>> weldedValues(const BakeGeometry& geometry, const VertexWeld& weld,
+                                            const VertexOptions& options, const ValuesAt& valuesAt);
 
 } // namespace aolib::bake

@@ -21,6 +21,7 @@
 #include "bench/MachineInfo.h"
 #include "bench/TextFile.h"
 #include "bench/bake/BakeTable.h"
+#include "bench/bake/VertexRun.h"
 #include "bench/plot/PlotFiles.h"
 #include "content/FileBytes.h"
 #include "content/generated/UvShapes.h"
@@ -44,13 +45,14 @@ struct BenchBakeFlags {
     int truthRays = 4096;
     int truthTexels = 0;
     int repeats = 1;
+    bool vertices = false;
     bool quick = false;
     bool resume = false;
     std::string out = "out/bake";
 };
 
-/// "bumps-20088", a shape, or a model of one material.
-Outcome<bench::BakeMesh> meshOf(const std::string& name, int mapSize) {
+/// "bumps-20088", a shape, or a model; for maps of one material.
+Outcome<bench::BakeMesh> meshOf(const std::string& name, int mapSize, bool vertices) {
     bench::BakeMesh mesh;
     mesh.name = name;
     const std::string bumps = "bumps-";
@@ -68,15 +70,17 @@ Outcome<bench::BakeMesh> meshOf(const std::string& name, int mapSize) {
     if (!input) {
         return input.failure();
     }
-    BakeFlags flags;
-    flags.map.width = flags.map.height = mapSize;
-    const Outcome<std::vector<PlannedMap>> maps = planMaps(*input, flags);
-    if (!maps) {
-        return maps.failure();
-    }
-    if (maps->size() > 1) {
-        return badInput("--mesh " + name + ": it has " + std::to_string(maps->size()) +
-                        " materials, and the bench takes models of one");
+    if (!vertices) {
+        BakeFlags flags;
+        flags.map.width = flags.map.height = mapSize;
+        const Outcome<std::vector<PlannedMap>> maps = planMaps(*input, flags);
+        if (!maps) {
+            return maps.failure();
+        }
+        if (maps->size() > 1) {
+            return badInput("--mesh " + name + ": it has " + std::to_string(maps->size()) +
+                            " materials, and the bench takes models of one");
+        }
     }
     mesh.name = input->name;
     for (const BakePiece& piece : input->pieces) {
@@ -109,13 +113,31 @@ Outcome<bench::BakePlan> planOf(const BenchBakeFlags& flags) {
         }
     }
     for (const std::string& name : names) {
-        Outcome<bench::BakeMesh> mesh = meshOf(name, plan.mapSize);
+        Outcome<bench::BakeMesh> mesh = meshOf(name, plan.mapSize, flags.vertices);
         if (!mesh) {
             return mesh.failure();
         }
         plan.meshes.push_back(std::move(*mesh));
     }
     return plan;
+}
+
+MaybeFailure benchVertices(const bench::BakePlan& plan, const GlSession& session,
+                           const fs::path& folder, Progress& progress) {
+    const auto rows = bench::runVertexPlan(plan, session.loader(), stagesOn(progress));
+    progress.pause();
+    if (!rows) {
+        return Failure{ExitCode::Failed, rows.status().message()};
+    }
+    for (const std::string& reason :
+         {bench::writeText(folder / "vertices.csv", bench::vertexCsv(*rows)),
+          bench::writeText(folder / "vertices.md", bench::vertexMarkdown(*rows))}) {
+        if (!reason.empty()) {
+            return Failure{ExitCode::Failed, reason};
+        }
+    }
+    std::cout << bench::vertexMarkdown(*rows);
+    return std::nullopt;
 }
 
 MaybeFailure benchBake(const BenchBakeFlags& flags) {
@@ -134,6 +156,9 @@ MaybeFailure benchBake(const BenchBakeFlags& flags) {
         return failure;
     }
     const fs::path folder(flags.out);
+    if (flags.vertices) {
+        return benchVertices(*plan, *session, folder, progress);
+    }
     bench::BakeMemory memory;
     if (flags.resume) {
         memory.truths = folder / "truths";
@@ -185,6 +210,11 @@ void addBenchBake(CLI::App& bench, MaybeFailure& failure) {
          {"scatter-unstretched", Method::ScatterUnstretched},
          {"shadow", Method::Shadow}},
         [flags](Method value) { flags->methods = {value}; }, "only this one; without it three");
+    addChoice<bool>(
+        *command, "--target", {{"texture", false}, {"vertex", true}},
+        [flags](bool vertices) { flags->vertices = vertices; },
+        "maps, or values of vertices in all ways to fit them")
+        ->default_str("texture");
     addWholeNumber(
         *command, "--samples", 1, 1 << 20, [flags](int count) { flags->samples = {count}; },
         "rays per texel, or directions; without it 512 and 1024");

@@ -68,7 +68,7 @@ public:
                                                    const BakeProgress& progress) = 0;
 
     /// The vertices of all surfaces, in their order. Surfaces that only occlude get none.
-    /// Errors: InvalidOption, MissingCapability (the method has no vertices), OutOfMemory,
+    /// Errors: InvalidOption, MissingCapability (the method does not have this fit), OutOfMemory,
     /// Cancelled.
     virtual Result<std::vector<BakedVertices>> bakeVertices(const VertexOptions& options,
                                                             const BakeProgress& progress) = 0;
@@ -80,18 +80,20 @@ public:
 AOLIB_BAKE_EXPORT Result<std::unique_ptr<AbstractBaker>> createRayBaker(BakeScene scene,
                                                                         const RayOptions& options);
 
-/// A baker of maps on the GPU: from each of many directions the model is drawn, and what is seen is
-/// scattered as points into its map (McGraw and Sowers 2008). Any OpenGL 3.3 context will do; it
+/// A baker of maps and vertices on the GPU: from each of many directions the model is drawn, and
+/// what is seen is scattered as points into its map (McGraw and Sowers 2008), or among the corners
+/// of its triangles: `VertexFit::Direct` is then the mean about each vertex, nearer places counting
+/// more, and TriangleMean answers MissingCapability. Any OpenGL 3.3 context will do; it
 /// is that which is current, and must be so in all later calls and when the baker goes. GL state
 /// is saved and restored by each call, and around each call of the progress callback.
 /// Errors: those of the scene as above, InvalidOption, NoContext, MissingCapability, ShaderError,
-/// OutOfMemory. bakeVertices() answers MissingCapability. Since 0.1.
+/// OutOfMemory. Since 0.1.
 AOLIB_BAKE_EXPORT Result<std::unique_ptr<AbstractBaker>>
 createScatterBaker(const ProcAddressLoader& loader, BakeScene scene, const ScatterOptions& options);
 
 /// A baker of maps and vertices on the GPU: a depth map per direction, then every receiver asks
-/// which of them see it (GPU Gems, chapter 17.3). `VertexFit::Direct` alone. Context and errors as
-/// for createScatterBaker(). Since 0.1.
+/// which of them see it (GPU Gems, chapter 17.3). Context and errors as for createScatterBaker().
+/// Since 0.1.
 AOLIB_BAKE_EXPORT Result<std::unique_ptr<AbstractBaker>>
 createShadowBaker(const ProcAddressLoader& loader, BakeScene scene, const ShadowOptions& options);
 

@@ -21,29 +21,6 @@ using Clock = std::chrono::steady_clock;
 /// The truth's rays are not those that are measured.
 constexpr std::uint32_t truthSeed = 1;
 
-Result<Baker> bakerOf(const BakeMesh& mesh, BakeMethodName method, int samples,
-                      const ProcAddressLoader& loader) {
-    switch (method) {
-    case BakeMethodName::Rays: {
-        bake::RayOptions options;
-        options.rays = samples;
-        return bake::createRayBaker(mesh.scene, options);
-    }
-    case BakeMethodName::Shadow: {
-        bake::ShadowOptions options;
-        options.directions = samples;
-        return bake::createShadowBaker(loader, mesh.scene, options);
-    }
-    case BakeMethodName::Scatter:
-    case BakeMethodName::ScatterUnstretched:
-        break;
-    }
-    bake::ScatterOptions options;
-    options.directions = samples;
-    options.stretchCorrection = method == BakeMethodName::Scatter;
-    return bake::createScatterBaker(loader, mesh.scene, options);
-}
-
 Result<bake::BakedMap> mapOf(const Result<Baker>& baker, const bake::MapOptions& options) {
     if (!baker) {
         return baker.status();
@@ -158,6 +135,29 @@ const char* bakeMethodName(BakeMethodName method) {
         return "shadow";
     }
     return "unknown";
+}
+
+Result<std::unique_ptr<bake::AbstractBaker>> bakerOf(const BakeMesh& mesh, BakeMethodName method,
+                                                     int samples, const ProcAddressLoader& loader) {
+    switch (method) {
+    case BakeMethodName::Rays: {
+        bake::RayOptions options;
+        options.rays = samples;
+        return bake::createRayBaker(mesh.scene, options);
+    }
+    case BakeMethodName::Shadow: {
+        bake::ShadowOptions options;
+        options.directions = samples;
+        return bake::createShadowBaker(loader, mesh.scene, options);
+    }
+    case BakeMethodName::Scatter:
+    case BakeMethodName::ScatterUnstretched:
+        break;
+    }
+    bake::ScatterOptions options;
+    options.directions = samples;
+    options.stretchCorrection = method == BakeMethodName::Scatter;
+    return bake::createScatterBaker(loader, mesh.scene, options);
 }
 
 Result<std::vector<BakeRow>>

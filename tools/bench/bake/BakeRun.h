@@ -2,11 +2,13 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include <aolib/ProcAddressLoader.h>
 #include <aolib/Status.h>
+#include <aolib/bake/AbstractBaker.h>
 #include <aolib/bake/BakeScene.h>
 
 #include "bench/bake/MapErrors.h"
@@ -52,6 +54,10 @@ struct BakeMemory {
     std::function<void(const std::vector<BakeRow>& rows)> keep; ///< hears each new row
     std::filesystem::path truths; ///< folder that keeps truths, empty for none
 };
+
+/// A baker as the table's methods are. @param samples  rays, or directions.
+Result<std::unique_ptr<bake::AbstractBaker>> bakerOf(const BakeMesh& mesh, BakeMethodName method,
+                                                     int samples, const ProcAddressLoader& loader);
 
 /// Measures a plan, in the current context. @param tell  hears what comes next, and the rows so
 /// far; false ends the run, with the rows that there are.

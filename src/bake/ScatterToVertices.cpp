@@ -1,0 +1,113 @@
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <numeric>
+#include <utility>
+
+#include "bake/CheckOptions.h"
+#include "bake/ScatterBaker.h"
+#include "bake/VertexFitting.h"
+#include "bake/VertexSums.h"
+#include "bake/VertexWeld.h"
+#include "gl/StateGuard.h"
+
+namespace aolib::bake {
+
+namespace {
+
+/// Directions between two calls of the progress callback.
+constexpr int viewsAtOnce = 4;
+/// The picture, when its size is derived: pixels in what is a vertex's of the surface, on average,
+/// where it faces the light.
+constexpr double pixelsPerVertex = 16.0;
+constexpr int leastVertexRaster = 512;
+constexpr int largestVertexRaster = 4096;
+
+int rasterSizeFor(const VertexSums& sums, int wanted, int most) {
+    if (wanted > 0) {
+        return std::min(wanted, most);
+    }
+    const double area = std::accumulate(sums.areas().begin(), sums.areas().end(), 0.0);
+    const double vertices = static_cast<double>(sums.areas().size());
+    const double size = double{ScatterPasses::pictureSide} *
+                        std::sqrt(pixelsPerVertex * vertices / std::max(area, 1e-12));
+    const int rounded =
+        static_cast<int>(std::min(size, double{largestVertexRaster}) + 63.0) / 64 * 64;
+    return std::clamp(rounded, leastVertexRaster, std::min(largestVertexRaster, most));
+}
+
+/// Of each vertex the mean over what is about it, nearer places counting more.
+std::vector<glm::vec4> meansOf(const VertexSums& sums, double norm) {
+    std::vector<glm::vec4> values;
+    values.reserve(sums.light().size());
+    for (std::size_t i = 0; i < sums.light().size(); ++i) {
+        const double area = sums.areas()[i];
+        values.emplace_back(area > 0.0 ? sums.light()[i] * (norm / area) : glm::dvec4(0.0));
+    }
+    return values;
+}
+
+} // namespace
+
+Status ScatterBaker::sumVertices(VertexSums& sums, const BakeProgress& progress) const {
+    // No map decides which triangles are drawn with what: a map of one texel will do.
+    const Result<BakeVertices> vertices = gpu_.upload(1, 1, nullptr);
+    if (!vertices) {
+        return vertices.status();
+    }
+    ScatterPasses::Settings settings;
+    settings.rasterSize =
+        rasterSizeFor(sums, options_.rasterSize, gpu_.gl->capabilities.maxTextureSize);
+    settings.draws = false;
+    settings.places = true;
+    Result<ScatterPasses> passes = passesFor(settings, {});
+    if (!passes) {
+        return passes.status();
+    }
+    DirectionPlan plan;
+    plan.last = options_.directions;
+    plan.atOnce = viewsAtOnce;
+    plan.pictureSize = settings.rasterSize;
+    plan.sky = options_.sky;
+    plan.seed = options_.seed;
+    return gpu_.addDirections(plan, progress, [&](std::span<const LightView> views) {
+        for (const LightView& view : views) {
+            passes->drawSurface(*vertices, view);
+            sums.add(passes->readSurface(), view);
+        }
+    });
+}
+
+Result<std::vector<BakedVertices>> ScatterBaker::bakeVertices(const VertexOptions& options,
+                                                              const BakeProgress& progress) try {
+    if (Status status = check(options); !status) {
+        return status;
+    }
+    if (options.fit == VertexFit::TriangleMean) {
+        return Status(StatusCode::MissingCapability,
+                      "scattered points lie all over the triangles: VertexFit::Direct takes their "
+                      "mean about each vertex, LeastSquares fits them");
+    }
+    const VertexWeld weld = weldVertices(gpu_.geometry);
+    VertexSums sums(gpu_.geometry, gpu_.frame, weld, gpu_.ground());
+    if (Status status = sumVertices(sums, progress); !status) {
+        return status;
+    }
+    const double norm = cosineNorm(options_.sky, options_.directions);
+    std::vector<glm::vec4> values = meansOf(sums, norm);
+    if (options.fit == VertexFit::LeastSquares) {
+        std::vector<glm::dvec4> integrals = sums.light();
+        for (glm::dvec4& integral : integrals) {
+            integral *= norm / (gpu_.frame.scale() * gpu_.frame.scale());
+        }
+        values = fitIntegrals(gpu_.geometry, weld, integrals, values, double{options.smoothness});
+    }
+    if (progress) {
+        progress(1.0);
+    }
+    return unweldedVertices(gpu_.geometry, weld, values);
+} catch (const std::bad_alloc&) {
+    return Status(StatusCode::OutOfMemory, "no memory left for the values of vertices");
+}
+
+} // namespace aolib::bake

@@ -313,6 +313,58 @@ TEST_F(WindowGLTest, ACaseGivesTheSamePictureWithoutAWindow) {
               meanBrightness(colour, 0, 300, 0, 200) - 2);
 }
 
+/// What the right part shows is what "aolib render" lights, until another environment is dropped.
+TEST_F(WindowGLTest, AnEnvironmentLightsTheSceneAsRenderDoes) {
+    const std::vector<std::string> light{"--environment", "overcast", "--turn",     "30",
+                                         "--lit-rays",    "16",       "--lit-edge", "10",
+                                         "--width",       "300",      "--height",   "200"};
+    start(with({"wall", "--no-panel", "--split", "0.1", "--texel-rays", "4", "--face-size", "16",
+                "--estimator", "ray-traced", "--no-repair", "--gl-debug", "--screenshot",
+                "shown.png"},
+               light));
+    waitFor("baked vertices", [](const json& s) { return s["light"]["vertices"] > 0; });
+    EXPECT_EQ(state()["rival"], "environment");
+    EXPECT_EQ(state()["environment"], "overcast");
+    waitForRest();
+    quit();
+    const ProgramRun rendered = run(with({"render", "wall", "--lit", "lit.png"}, light));
+    ASSERT_EQ(rendered.exitCode, 0) << rendered.err;
+    const ByteImage shown = picture("shown.png");
+    const ByteImage lit = picture("lit.png");
+    ASSERT_EQ(shown.width, 300);
+    EXPECT_LE(worstDifference(shown, lit, 50, 300, 0, 160), 1);
+    EXPECT_GT(meanBrightness(lit, 50, 300, 0, 160), 40);
+}
+
+TEST_F(WindowGLTest, EnvironmentsAreDroppedAndBadOnesLeaveTheOldOne) {
+    // One pixel of radiance 1, 1, 1.
+    write("white.hdr", std::string("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n") +
+                           std::string("\x80\x80\x80\x81\x80\x80\x80\x81"));
+    write("broken.hdr", "not a picture");
+    start(with(kSmall, {"--lit-rays", "4", "--lit-edge", "20"}));
+    EXPECT_EQ(state()["light"]["vertices"], 0) << "nobody has asked for it";
+    const json place = state()["widgets"]["path"];
+    const auto openByPath = [&](const std::string& name) {
+        click(place[0].get<double>() + 20.0, place[1].get<double>() + 8.0);
+        pressKey("ctrl+a");
+        type(path(name).string());
+        pressKey("Return");
+    };
+    openByPath("white.hdr");
+    waitFor("baked vertices", [](const json& s) { return s["light"]["vertices"] > 0; });
+    EXPECT_EQ(state()["rival"], "environment");
+    const std::string white = state()["environment"];
+    EXPECT_NE(white.find("white.hdr"), std::string::npos);
+    openByPath("broken.hdr");
+    waitFor("the reason", [](const json& s) {
+        return s["message"].get<std::string>().find("broken.hdr") != std::string::npos;
+    });
+    EXPECT_EQ(state()["environment"], white);
+    EXPECT_EQ(state()["scene"], "cornell");
+    waitForRest();
+    quit();
+}
+
 TEST_F(WindowGLTest, WithoutADisplayItSaysSo) {
     const ProgramRun refused = run({"view", "cornell"}, {{"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}});
     EXPECT_EQ(refused.exitCode, 3);
@@ -325,6 +377,7 @@ TEST_F(WindowGLTest, BadArgumentsOpenNoWindow) {
           {"view", "cornell", "--screenshot", "picture.jpg"},
           {"view", "cornell", "--folder", "nowhere"},
           {"view", "cornell", "--compare", "nothing"},
+          {"view", "cornell", "--environment", "nowhere"},
           {"view", "cornell", "--split", "2"}}) {
         const ProgramRun refused = run(arguments, environment());
         EXPECT_EQ(refused.exitCode, 2) << arguments.back() << refused.err;

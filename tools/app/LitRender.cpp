@@ -31,20 +31,6 @@ namespace fs = std::filesystem;
 /// What of the picture's mean over surfaces is shown at 63%.
 constexpr double kShownMean = 1.0;
 
-double meanOver(const FloatImage& radiance, const std::vector<std::uint8_t>& covered) {
-    double sum = 0.0;
-    double count = 0.0;
-    for (std::size_t pixel = 0; pixel < covered.size(); ++pixel) {
-        if (covered[pixel] != 0) {
-            for (std::size_t channel = 0; channel < 3; ++channel) {
-                sum += double{radiance.pixels[3 * pixel + channel]} / 3.0;
-            }
-            count += 1.0;
-        }
-    }
-    return count > 0.0 ? sum / count : 0.0;
-}
-
 /// Root of the mean squared difference over the traced surfaces' pixels, of the mean there.
 double errorOf(const FloatImage& drawn, const FloatImage& traced,
                const std::vector<std::uint8_t>& covered) {
@@ -58,7 +44,7 @@ double errorOf(const FloatImage& drawn, const FloatImage& traced,
             count += 1.0;
         }
     }
-    const double mean = meanOver(traced, covered);
+    const double mean = host::meanOverSurfaces(traced, covered);
     return count > 0.0 && mean > 0.0 ? std::sqrt(squares / count) / mean : 0.0;
 }
 
@@ -151,7 +137,7 @@ MaybeFailure LitJob::run(const lighting::EnvironmentMap& map, OutputFiles& files
         }
     }
     progress_.pause();
-    const double mean = meanOver(picture_.radiance, picture_.covered);
+    const double mean = host::meanOverSurfaces(picture_.radiance, picture_.covered);
     const float exposure = static_cast<float>(
         flags_.exposure > 0.0 ? flags_.exposure : (mean > 0.0 ? kShownMean / mean : 1.0));
     put(files, flags_.picture, picture_.radiance, exposure);

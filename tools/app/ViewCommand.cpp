@@ -1,5 +1,6 @@
 #include "app/Commands.h"
 
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -11,6 +12,7 @@
 #include "app/OutputFiles.h"
 #include "app/ResolveOptions.h"
 #include "app/ViewFlags.h"
+#include "content/EnvironmentSource.h"
 #include "viewer/Viewer.h"
 
 namespace aolib::app {
@@ -50,6 +52,11 @@ MaybeFailure checkFiles(const viewer::ViewerSettings& settings) {
 MaybeFailure show(const ViewCommandFlags& flags) {
     if (MaybeFailure failure = checkFiles(flags.settings)) {
         return failure;
+    }
+    if (flags.settings.rival == viewer::Rival::Environment) {
+        if (const auto map = openEnvironment(flags.settings.environment); !map) {
+            return badInput(map.sentence());
+        }
     }
     Outcome<View> view = flags.view.open();
     if (!view) {
@@ -91,6 +98,38 @@ void attachWindow(CLI::App& command, viewer::ViewerSettings& settings) {
         command, "--truth-rays", 2, kMostRays, [&](int rays) { settings.truthRays = rays; },
         "rays per pixel of the truth")
         ->default_str(std::to_string(settings.truthRays))
+        ->group(group);
+    const auto takeEnvironment = [&](const std::string& name) {
+        settings.environment = name;
+        settings.rival = viewer::Rival::Environment;
+    };
+    command
+        .add_option_function<std::string>(
+            "--environment", takeEnvironment,
+            "light the right part by this: a .hdr file, or one of sunny, sunset, overcast, studio, "
+            "window")
+        ->type_name("ENVIRONMENT")
+        ->group(group);
+    addNumber(
+        command, "--turn",
+        [&](double degrees) { settings.turn = static_cast<float>(std::remainder(degrees, 360.0)); },
+        "turn the environment about the vertical, degrees")
+        ->group(group);
+    addWholeNumber(
+        command, "--lit-rays", 1, kMostRays, [&](int rays) { settings.light.rays = rays; },
+        "rays per vertex that the environment's light is baked with")
+        ->default_str(std::to_string(settings.light.rays))
+        ->group(group);
+    addNumber(
+        command, "--lit-edge",
+        [&](double percent) {
+            if (!(percent > 0.0)) {
+                throw CLI::ValidationError("--lit-edge must be above 0");
+            }
+            settings.light.edge = percent / 100.0;
+        },
+        "for which edges are cut that are longer, percent of the scene's diagonal")
+        ->default_str("0.5")
         ->group(group);
     const auto flag = [&](const char* name, bool& into, bool value, const char* help) {
         command

@@ -61,17 +61,9 @@ Result<LitRenderer> LitRenderer::create(const gl::Functions& gl,
     }
     renderer.sky_ = std::move(*sky);
     renderer.empty_ = gl::generate<gl::VertexArrayName>(gl, &gl::Functions::GenVertexArrays);
-    gl::RenderToTexture2D::Settings target;
-    target.width = settings.width;
-    target.height = settings.height;
-    target.targets = {gl::RenderToTexture2D::Format::RGBA32F};
-    target.depth = gl::RenderToTexture2D::Depth::Depth32F;
-    target.label = "host/lit";
-    Result<gl::RenderToTexture2D> made = gl::RenderToTexture2D::create(gl, target);
-    if (!made) {
-        return made.status();
+    if (Status status = renderer.resize(settings.width, settings.height); !status) {
+        return status;
     }
-    renderer.target_ = std::move(*made);
     Result<SunDepth> sun = SunDepth::create(gl, settings.sunSize);
     if (!sun) {
         return sun.status();
@@ -88,6 +80,23 @@ Result<LitRenderer> LitRenderer::create(const gl::Functions& gl,
         }
     }
     return renderer;
+}
+
+Status LitRenderer::resize(int width, int height) {
+    if (width == target_.width() && height == target_.height()) {
+        return {};
+    }
+    gl::RenderToTexture2D::Settings target;
+    target.width = width;
+    target.height = height;
+    target.targets = {gl::RenderToTexture2D::Format::RGBA32F};
+    target.depth = gl::RenderToTexture2D::Depth::Depth32F;
+    target.label = "host/lit";
+    Result<gl::RenderToTexture2D> made = gl::RenderToTexture2D::create(*gl_, target);
+    if (made) {
+        target_ = std::move(*made);
+    }
+    return made.status();
 }
 
 Status LitRenderer::setEnvironment(const ProcAddressLoader& loader,
@@ -195,6 +204,20 @@ LitRenderer::Picture LitRenderer::read() const {
         picture.covered.push_back(all.pixels[4 * pixel + 3] > 0.5F ? 1 : 0);
     }
     return picture;
+}
+
+double meanOverSurfaces(const FloatImage& radiance, const std::vector<std::uint8_t>& covered) {
+    double sum = 0.0;
+    double count = 0.0;
+    for (std::size_t pixel = 0; pixel < covered.size(); ++pixel) {
+        if (covered[pixel] != 0) {
+            for (std::size_t channel = 0; channel < 3; ++channel) {
+                sum += double{radiance.pixels[3 * pixel + channel]} / 3.0;
+            }
+            count += 1.0;
+        }
+    }
+    return count > 0.0 ? sum / count : 0.0;
 }
 
 } // namespace aolib::host

@@ -47,6 +47,9 @@ public:
     static Result<LitRenderer> create(const gl::Functions& gl, const std::vector<LitPiece>& pieces,
                                       const Settings& settings);
 
+    /// Another size of pictures, pixels. Errors: MissingCapability, OutOfMemory.
+    Status resize(int width, int height);
+
     /// Takes an environment. Errors: those of EnvironmentLight::create().
     Status setEnvironment(const ProcAddressLoader& loader, const lighting::EnvironmentMap& map);
 
@@ -77,5 +80,8 @@ private:
     std::optional<lighting::EnvironmentLight> rest_; ///< without its sun; none where it has none
     std::optional<lighting::Sun> sun_;
 };
+
+/// The mean of radiance over all channels of the pixels that show surfaces; 0 where none does.
+double meanOverSurfaces(const FloatImage& radiance, const std::vector<std::uint8_t>& covered);
 
 } // namespace aolib::host

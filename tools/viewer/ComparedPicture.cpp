@@ -26,7 +26,8 @@ bool ComparedPicture::Basis::sameLeft(const Basis& other) const {
 
 bool ComparedPicture::Basis::sameRight(const Basis& other) const {
     return same(camera, other.camera) && options == other.options && pixels == other.pixels &&
-           rival == other.rival && truth == other.truth;
+           rival == other.rival && rivals.truth == other.rivals.truth &&
+           rivals.light == other.rivals.light;
 }
 
 Result<ComparedPicture> ComparedPicture::create(const gl::Functions& gl) {
@@ -40,24 +41,26 @@ Result<ComparedPicture> ComparedPicture::create(const gl::Functions& gl) {
 }
 
 ComparedPicture::Basis ComparedPicture::basisOf(const ViewerState& state, const glm::ivec2& pixels,
-                                                std::shared_ptr<const TracedTruth> truth) {
-    return {state.camera.camera(), optionTexts(state.options), state.occlusion, pixels, state.rival,
-            std::move(truth)};
+                                                const Rivals& rivals) {
+    return {state.camera.camera(), optionTexts(state.options),
+            state.occlusion,       pixels,
+            state.rival,           rivals};
 }
 
 bool ComparedPicture::outdated(const ViewerState& state, const glm::ivec2& pixels,
-                               const std::shared_ptr<const TracedTruth>& truth) const {
-    const Basis wanted = basisOf(state, pixels, truth);
+                               const Rivals& rivals) const {
+    const Basis wanted = basisOf(state, pixels, rivals);
     return !drawn_ || !wanted.sameLeft(*drawn_) || !wanted.sameRight(*drawn_);
 }
 
 Result<bool> ComparedPicture::draw(StagedScene& scene, ViewerState& state, const glm::ivec2& pixels,
-                                   const std::shared_ptr<const TracedTruth>& truth,
-                                   FrameTimes& times) {
-    const Basis wanted = basisOf(state, pixels, truth);
+                                   const Rivals& rivals, FrameTimes& times) {
+    const Basis wanted = basisOf(state, pixels, rivals);
+    const std::shared_ptr<const TracedTruth>& truth = rivals.truth;
     const bool left = !drawn_ || !wanted.sameLeft(*drawn_) || !settled_;
     const bool right = !drawn_ || !wanted.sameRight(*drawn_);
-    const bool otherTruth = !drawn_ || drawn_->truth != truth || drawn_->rival != state.rival;
+    const bool otherTruth =
+        !drawn_ || drawn_->rivals.truth != truth || drawn_->rival != state.rival;
     drawn_ = wanted;
     if (!left && !right) {
         return false;
@@ -81,7 +84,7 @@ Result<bool> ComparedPicture::draw(StagedScene& scene, ViewerState& state, const
         measuredAtRest_ = settled_;
     }
     if (right || state.rival == Rival::Difference) {
-        if (Status status = drawRight(scene, state, truth.get()); !status) {
+        if (Status status = drawRight(scene, state, rivals); !status) {
             return status;
         }
     }
@@ -125,7 +128,7 @@ Status ComparedPicture::measureError(StagedScene& scene, ViewerState& state,
 }
 
 Status ComparedPicture::drawRight(StagedScene& scene, const ViewerState& state,
-                                  const TracedTruth* truth) {
+                                  const Rivals& rivals) {
     if (state.rival == Rival::None) {
         return {};
     }
@@ -137,7 +140,7 @@ Status ComparedPicture::drawRight(StagedScene& scene, const ViewerState& state,
     case Rival::ScreenSpace:
         return scene.drawScreenSpace(**target, state.options);
     case Rival::Truth:
-        return showTruth(scene, state, truth, **target);
+        return showTruth(scene, state, rivals.truth.get(), **target);
     case Rival::Difference:
         if (difference_) {
             (*target)->bind();
@@ -145,11 +148,19 @@ Status ComparedPicture::drawRight(StagedScene& scene, const ViewerState& state,
             traced_.show();
             return {};
         }
-        [[fallthrough]];
-    default:
-        scene.drawPlain(**target);
-        return {};
+        break;
+    case Rival::Environment:
+        if (rivals.light.ready()) {
+            return lit_.draw(scene.session(), rivals.light, scene.viewMatrix(), scene.projection(),
+                             **target, traced_);
+        }
+        break;
+    case Rival::None:
+    case Rival::Host:
+        break;
     }
+    scene.drawPlain(**target);
+    return {};
 }
 
 Status ComparedPicture::showTruth(StagedScene& scene, const ViewerState& state,

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "viewer/FrameTimes.h"
+#include "viewer/LitPicture.h"
 #include "viewer/OptionTexts.h"
 #include "viewer/SplitPicture.h"
 #include "viewer/StagedScene.h"
@@ -13,6 +14,12 @@
 #include "viewer/ViewerState.h"
 
 namespace aolib::viewer {
+
+/// What a picture may be compared with that takes a while to be had.
+struct Rivals {
+    std::shared_ptr<const TracedTruth> truth; ///< null until there is one of this view
+    Light light;
+};
 
 /// The picture and what it is compared with, each drawn only when it would change. Context: the
 /// window's, for every call.
@@ -26,13 +33,12 @@ public:
     /// Returns whether anything was drawn. Errors: the library's; it is not tried again until
     /// something changes.
     Result<bool> draw(StagedScene& scene, ViewerState& state, const glm::ivec2& pixels,
-                      const std::shared_ptr<const TracedTruth>& truth, FrameTimes& times);
+                      const Rivals& rivals, FrameTimes& times);
     /// Whether another draw() of the same would show the same.
     bool settled() const { return settled_; }
 
     /// Whether it shows something else than what is wanted, rather than the same less well.
-    bool outdated(const ViewerState& state, const glm::ivec2& pixels,
-                  const std::shared_ptr<const TracedTruth>& truth) const;
+    bool outdated(const ViewerState& state, const glm::ivec2& pixels, const Rivals& rivals) const;
 
     /// Copies it to the window.
     void present(const ViewerState& state) const;
@@ -47,23 +53,23 @@ private:
         bool occlusion = true;
         glm::ivec2 pixels{0};
         Rival rival = Rival::None;
-        std::shared_ptr<const TracedTruth> truth;
+        Rivals rivals;
 
         bool sameLeft(const Basis& other) const;
         bool sameRight(const Basis& other) const;
     };
 
-    static Basis basisOf(const ViewerState& state, const glm::ivec2& pixels,
-                         std::shared_ptr<const TracedTruth> truth);
+    static Basis basisOf(const ViewerState& state, const glm::ivec2& pixels, const Rivals& rivals);
     explicit ComparedPicture(const gl::Functions& gl) : split_(gl) {}
     Status drawLeft(StagedScene& scene, const ViewerState& state, FrameTimes& times);
-    Status drawRight(StagedScene& scene, const ViewerState& state, const TracedTruth* truth);
+    Status drawRight(StagedScene& scene, const ViewerState& state, const Rivals& rivals);
     Status showTruth(StagedScene& scene, const ViewerState& state, const TracedTruth* truth,
                      const host::HostFramebuffer& target);
     Status measureError(StagedScene& scene, ViewerState& state, const TracedTruth* truth);
 
     SplitPicture split_;
     TracedPicture traced_;
+    LitPicture lit_;
     std::optional<Basis> drawn_;
     std::optional<ByteImage> difference_;
     bool settled_ = false;

@@ -13,6 +13,7 @@ enum class Rival : std::uint8_t {
     ScreenSpace, ///< the backbone that works on the host's view alone
     Truth,       ///< ray traced
     Difference,  ///< of the left part's W and the truth's
+    Environment, ///< the scene by the light of an environment map
 };
 
 /// A rival by name.
@@ -28,7 +29,8 @@ inline constexpr std::array kRivals{
     RivalChoice{Rival::Host, "host", "without ambient occlusion"},
     RivalChoice{Rival::ScreenSpace, "screenspace", "screen space"},
     RivalChoice{Rival::Truth, "truth", "ray-traced truth"},
-    RivalChoice{Rival::Difference, "difference", "difference from truth"}};
+    RivalChoice{Rival::Difference, "difference", "difference from truth"},
+    RivalChoice{Rival::Environment, "environment", "light of an environment"}};
 
 inline constexpr const RivalChoice& choiceOf(Rival rival) {
     return kRivals[static_cast<std::size_t>(rival)];

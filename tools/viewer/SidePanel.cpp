@@ -6,6 +6,7 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include "content/generated/Environments.h"
 #include "content/generated/GeneratedScenes.h"
 #include "viewer/FrameGraph.h"
 
@@ -52,6 +53,36 @@ void drawTruth(ViewerState& state, const TruthWorker::State& truth) {
         }
     } else {
         ImGui::TextDisabled("RMSE: once there is a truth");
+    }
+}
+
+void drawLight(ViewerState& state, const LightWorker::State& light) {
+    ImGui::SetNextItemWidth(-1.0F);
+    const std::string shown = std::filesystem::path(state.environment).filename().string();
+    if (ImGui::BeginCombo("##environment", shown.c_str())) {
+        for (const GeneratedEnvironment& environment : generatedEnvironments()) {
+            if (ImGui::Selectable(environment.name, state.environment == environment.name)) {
+                state.environment = environment.name;
+            }
+        }
+        ImGui::EndCombo();
+    }
+    if (ImGui::IsItemHovered()) {
+        ImGui::SetTooltip("or drop a Radiance file, .hdr");
+    }
+    ImGui::SetNextItemWidth(-7.0F * ImGui::GetFontSize());
+    ImGui::SliderFloat("turned", &state.turn, -180.0F, 180.0F, "%.0f degrees",
+                       ImGuiSliderFlags_AlwaysClamp);
+    ImGui::SetNextItemWidth(-7.0F * ImGui::GetFontSize());
+    ImGui::SliderFloat("exposure", &state.stops, -4.0F, 4.0F, "%+.1f stops",
+                       ImGuiSliderFlags_AlwaysClamp);
+    if (!light.failure.empty()) {
+        ImGui::TextWrapped("%s", light.failure.c_str());
+    } else if (light.scene) {
+        ImGui::TextDisabled("%zu vertices, baked in %.1f s", light.scene->vertices(),
+                            light.scene->bakeSeconds);
+    } else {
+        ImGui::ProgressBar(light.progress, {-1.0F, 0.0F}, "baking vertices");
     }
 }
 
@@ -146,6 +177,9 @@ void SidePanel::drawComparison(ViewerState& state, const PanelFacts& facts) {
     }
     if (needsTruth(state.rival)) {
         drawTruth(state, facts.truth);
+    }
+    if (state.rival == Rival::Environment) {
+        drawLight(state, facts.light);
     }
 }
 

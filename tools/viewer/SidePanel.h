@@ -7,6 +7,7 @@
 
 #include "content/NamedCamera.h"
 #include "viewer/FrameTimes.h"
+#include "viewer/LightWorker.h"
 #include "viewer/OptionsPanel.h"
 #include "viewer/TruthWorker.h"
 #include "viewer/ViewerState.h"
@@ -23,6 +24,7 @@ struct PanelFacts {
     Statistics statistics;
     std::vector<CubeMapInfo> cubeMaps;
     TruthWorker::State truth;
+    LightWorker::State light;
     const FrameTimes* times = nullptr;
     std::string device;
 };

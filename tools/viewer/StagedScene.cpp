@@ -63,7 +63,7 @@ StagedScene::StagedScene(const app::GlSession& session, bench::PassTimer& timer,
       ao_(std::move(ao)), renderer_(std::move(renderer)) {}
 
 void StagedScene::look(const NamedCamera& camera, float aspect) {
-    const glm::mat4 view = viewMatrix(camera);
+    const glm::mat4 view = aolib::viewMatrix(camera);
     const glm::mat4 projection = projectionMatrix(camera, aspect);
     changed_ = changed_ || view != viewMatrix_ || projection != projection_;
     eye_ = camera.eye;

@@ -34,6 +34,11 @@ public:
     /// Darkened in screen space by the same options, as far as they have a meaning there.
     Status drawScreenSpace(const host::HostFramebuffer& target, const Options& options);
 
+    const app::GlSession& session() const { return *session_; }
+    /// Of the camera that it looks with.
+    const glm::mat4& viewMatrix() const { return viewMatrix_; }
+    const glm::mat4& projection() const { return projection_; }
+
     const app::View& view() const { return view_; }
     const Bounds& bounds() const { return bounds_; }
     std::size_t triangles() const { return triangles_; }

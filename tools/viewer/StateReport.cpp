@@ -67,6 +67,10 @@ std::string stateReport(const ViewerState& state, const PanelFacts& facts, const
                                               : Json(nullptr));
     }
     json["truth"] = truthOf(state, facts.truth);
+    json["environment"] = state.environment;
+    json["light"]["working"] = facts.light.working;
+    json["light"]["progress"] = facts.light.progress;
+    json["light"]["vertices"] = facts.light.scene ? facts.light.scene->vertices() : 0;
     for (const OptionText& text : optionTexts(state.options)) {
         json["options"][text.name] = text.value;
     }

@@ -62,13 +62,16 @@ app::Outcome<std::unique_ptr<Viewer>> Viewer::open(ViewerSettings settings) {
 Viewer::Viewer(ViewerSettings settings, std::unique_ptr<Window> window, std::unique_ptr<Gui> gui,
                ComparedPicture picture)
     : settings_(std::move(settings)), window_(std::move(window)), gui_(std::move(gui)),
-      picture_(std::move(picture)), truth_(&Window::wake), loader_(&Window::wake),
+      picture_(std::move(picture)), truth_(&Window::wake),
+      lightWorker_(&Window::wake, settings_.light), loader_(&Window::wake),
       panel_(settings_.options, kPanelWidth * window_->contentScale()) {
     state_.options = settings_.options;
     state_.camera.mode = settings_.mode;
     state_.rival = settings_.rival;
     state_.split.place(settings_.split);
     state_.truthRays = settings_.truthRays;
+    state_.environment = settings_.environment;
+    state_.turn = settings_.turn;
     state_.panel = settings_.panel;
     state_.help = settings_.help;
     state_.gizmos = settings_.gizmos;
@@ -109,6 +112,7 @@ app::MaybeFailure Viewer::adopt(app::View view) {
     state_.error.reset();
     nextCamera_ = 0;
     truth_.setScene(adopted.model.flattened());
+    lightWorker_.stop();
     times_.clear();
     picture_.forget();
     guiFrames_ = kGuiFrames;
@@ -125,8 +129,8 @@ app::MaybeFailure Viewer::run() {
 }
 
 bool Viewer::settled() const {
-    return picture_.settled() && !truthState_.working && !loader_.busy() && guiFrames_ == 0 &&
-           frames_ > kGuiFrames;
+    return picture_.settled() && !truthState_.working && !lightState_.working && !loader_.busy() &&
+           guiFrames_ == 0 && frames_ > kGuiFrames;
 }
 
 bool Viewer::ending() const {
@@ -142,7 +146,7 @@ double Viewer::patience() const {
     if (!picture_.settled()) {
         return std::min(drawSeconds_, kLongestPause);
     }
-    if (settings_.settle || truthState_.working || loader_.busy()) {
+    if (settings_.settle || truthState_.working || lightState_.working || loader_.busy()) {
         return kTruthPause;
     }
     return messages_.secondsLeft();
@@ -158,6 +162,7 @@ app::MaybeFailure Viewer::step() {
     takeScene();
     follow(input, static_cast<float>(seconds));
     followTruth();
+    followLight();
     drawPicture();
     drawGui();
     ++frames_;
@@ -238,11 +243,10 @@ void Viewer::drawPicture() {
     // Where pictures take long, the panel is not to be slow because of one that only gets better.
     const bool busyHands = guiFrames_ > 0 && !settings_.frames;
     if (busyHands && secondsSince(latestPicture_) < kHandsFirst * drawSeconds_ &&
-        !picture_.outdated(state_, picturePixels(), truthState_.truth)) {
+        !picture_.outdated(state_, picturePixels(), rivals())) {
         return;
     }
-    const Result<bool> drawn =
-        picture_.draw(*scene_, state_, picturePixels(), truthState_.truth, times_);
+    const Result<bool> drawn = picture_.draw(*scene_, state_, picturePixels(), rivals(), times_);
     if (!drawn) {
         messages_.warn(drawn.status().message());
         guiFrames_ = kGuiFrames;
@@ -290,6 +294,7 @@ PanelFacts Viewer::facts() const {
     facts.statistics = scene_->ao().statistics();
     facts.cubeMaps = scene_->ao().cubeMaps();
     facts.truth = truthState_;
+    facts.light = lightState_;
     facts.times = &times_;
     facts.device = window_->session().describe();
     return facts;

@@ -41,6 +41,8 @@ private:
     void follow(const Input& input, float seconds);
     void takeScene();
     void followTruth();
+    void followLight();
+    Rivals rivals() const;
     void drawPicture();
     void drawGui();
     app::MaybeFailure saveWhatIsDue();
@@ -71,12 +73,16 @@ private:
     ComparedPicture picture_;
     std::unique_ptr<StagedScene> scene_;
     TruthWorker truth_;
+    LightWorker lightWorker_;
     SceneLoader loader_;
     SidePanel panel_;
     Messages messages_;
     FrameTimes times_;
     ViewerState state_;
     TruthWorker::State truthState_;
+    LightWorker::State lightState_;
+    std::shared_ptr<const lighting::EnvironmentMap> environment_;
+    std::string environmentName_; ///< whose that is; empty for none yet
     std::vector<Gizmo> gizmos_;
     GizmoDrag drag_;
     std::size_t nextCamera_ = 0;

@@ -1,4 +1,6 @@
 // What keys, buttons and the end of a run have the viewer do.
+#include <algorithm>
+#include <cctype>
 #include <iostream>
 #include <utility>
 
@@ -26,6 +28,14 @@ E following(E value, const std::array<OptionChoice<E>, N>& choices) {
         }
     }
     return choices.front().value;
+}
+
+bool isEnvironmentFile(const std::string& path) {
+    std::string ending = fs::path(path).extension().string();
+    std::ranges::transform(ending, ending.begin(), [](char c) {
+        return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    });
+    return ending == ".hdr";
 }
 
 void toggle(bool& value) {
@@ -109,6 +119,11 @@ void Viewer::goToCamera(const NamedCamera& camera) {
 }
 
 void Viewer::openScene(const std::string& nameOrPath) {
+    if (isEnvironmentFile(nameOrPath)) {
+        state_.environment = nameOrPath;
+        state_.rival = Rival::Environment;
+        return;
+    }
     if (loader_.busy()) {
         messages_.warn(nameOrPath + ": another scene is still being opened");
         return;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/View.h"
+#include "bench/environment/LitScene.h"
 #include "viewer/CameraControl.h"
 #include "viewer/Rival.h"
 
@@ -17,6 +18,9 @@ struct ViewerSettings {
     Rival rival = Rival::None;
     float split = 0.5F;
     int truthRays = 256;
+    std::string environment = "sunny"; ///< that "environment" compares with
+    float turn = 0.0F;                 ///< of it about +Y, degrees
+    bench::LitSceneOptions light;      ///< how vertices are baked for it
     CameraMode mode = CameraMode::Orbit;
     bool panel = true;
     bool help = false;

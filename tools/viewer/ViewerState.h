@@ -22,13 +22,16 @@ struct ViewerState {
     bool occlusion = true; ///< off: the left part is the host's picture, too
     Rival rival = Rival::None;
     SplitLine split;
-    int truthRays = 256;             ///< per pixel
-    bool panel = true;               ///< shown
-    bool help = false;               ///< shown
-    bool gizmos = false;             ///< cube maps are marked
-    bool measuring = true;           ///< frames are timed pass by pass
-    std::optional<CubeMapId> chosen; ///< cube map
-    std::optional<ViewError> error;  ///< of the left part, where there is a truth
+    int truthRays = 256;               ///< per pixel
+    std::string environment = "sunny"; ///< that lights the right part: a generated one, or a file
+    float turn = 0.0F;                 ///< of the environment about +Y, degrees
+    float stops = 0.0F;                ///< of exposure, under the environment
+    bool panel = true;                 ///< shown
+    bool help = false;                 ///< shown
+    bool gizmos = false;               ///< cube maps are marked
+    bool measuring = true;             ///< frames are timed pass by pass
+    std::optional<CubeMapId> chosen;   ///< cube map
+    std::optional<ViewError> error;    ///< of the left part, where there is a truth
 };
 
 /// What panels and overlays want done, besides what they change in the state.

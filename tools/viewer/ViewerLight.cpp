@@ -1,0 +1,37 @@
+// The light of an environment: which one, and what it needs to be known of the scene.
+#include <utility>
+
+#include "content/EnvironmentSource.h"
+#include "viewer/Viewer.h"
+
+namespace aolib::viewer {
+
+void Viewer::followLight() {
+    if (state_.rival != Rival::Environment) {
+        // What is baked is kept: it is true as long as the scene is there.
+        if (lightState_.working) {
+            lightWorker_.stop();
+        }
+        lightState_ = lightWorker_.state();
+        return;
+    }
+    if (state_.environment != environmentName_) {
+        Loaded<lighting::EnvironmentMap> map = openEnvironment(state_.environment);
+        if (map) {
+            environment_ = std::make_shared<const lighting::EnvironmentMap>(std::move(*map));
+            environmentName_ = state_.environment;
+        } else {
+            messages_.warn(map.sentence());
+            state_.environment = environmentName_; // as it was
+        }
+        guiFrames_ = std::max(guiFrames_, 2);
+    }
+    lightWorker_.follow(scene_->view().model);
+    lightState_ = lightWorker_.state();
+}
+
+Rivals Viewer::rivals() const {
+    return {truthState_.truth, {lightState_.scene, environment_, state_.turn, state_.stops}};
+}
+
+} // namespace aolib::viewer

@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include <glm/geometric.hpp>
+
 namespace aolib::bake {
 
 namespace {
@@ -117,13 +119,17 @@ Result<std::vector<float>> poseWeightsFor(std::span<const std::vector<float>> po
     return weights;
 }
 
-Result<std::vector<float>> blendPoses(std::span<const std::vector<float>> poses,
-                                      std::span<const float> weights) {
+namespace {
+
+/// The weighted sum of what vertices have in poses.
+template <typename T>
+Result<std::vector<T>> weightedSum(std::span<const std::vector<T>> poses,
+                                   std::span<const float> weights) {
     if (poses.empty() || poses.size() != weights.size()) {
         return Status(StatusCode::InvalidOption, std::to_string(weights.size()) + " weights for " +
                                                      std::to_string(poses.size()) + " poses");
     }
-    std::vector<float> sum(poses[0].size(), 0.0F);
+    std::vector<T> sum(poses[0].size(), T(0.0F));
     for (std::size_t pose = 0; pose < poses.size(); ++pose) {
         if (poses[pose].size() != sum.size()) {
             return Status(StatusCode::InvalidOption, "pose " + std::to_string(pose) + " has " +
@@ -135,8 +141,32 @@ Result<std::vector<float>> blendPoses(std::span<const std::vector<float>> poses,
             sum[i] += weights[pose] * poses[pose][i];
         }
     }
-    for (float& value : sum) {
-        value = std::clamp(value, 0.0F, 1.0F);
+    return sum;
+}
+
+} // namespace
+
+Result<std::vector<float>> blendPoses(std::span<const std::vector<float>> poses,
+                                      std::span<const float> weights) {
+    Result<std::vector<float>> sum = weightedSum(poses, weights);
+    if (sum) {
+        for (float& value : *sum) {
+            value = std::clamp(value, 0.0F, 1.0F);
+        }
+    }
+    return sum;
+}
+
+Result<std::vector<glm::vec3>> blendPoseNormals(std::span<const std::vector<glm::vec3>> poses,
+                                                std::span<const float> weights) {
+    Result<std::vector<glm::vec3>> sum = weightedSum(poses, weights);
+    if (sum) {
+        const auto most = std::max_element(weights.begin(), weights.end()) - weights.begin();
+        const std::vector<glm::vec3>& nearest = poses[static_cast<std::size_t>(most)];
+        for (std::size_t i = 0; i < sum->size(); ++i) {
+            const float length = glm::length((*sum)[i]);
+            (*sum)[i] = length > 1e-6F ? (*sum)[i] / length : nearest[i];
+        }
     }
     return sum;
 }

@@ -258,8 +258,8 @@ void attachPoses(BakeFlags& flags, CLI::App& command) {
     command
         .add_option_function<std::string>(
             "--poses", takeTimes,
-            "vertices: bake the model at these times of its animation, seconds, as _AO_0, _AO_1, "
-            "...")
+            "vertices: bake the model at these times of its animation, seconds, as _AO_0, "
+            "_BENT_NORMAL_0, _AO_1, ...")
         ->type_name("T0,T1,...")
         ->group(group);
     addWholeNumber(

@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "app/BakeToVertices.h"
 #include "app/Table.h"
 
 namespace aolib::app {
@@ -11,7 +12,7 @@ MaybeFailure BakeToPoses::prepare(OutputFiles& /*files*/) {
     if (flags_.target != BakeTarget::Vertex || flags_.attribute != VertexAttribute::Ao ||
         !flags_.ao.empty() || !flags_.bentNormals.empty() || flags_.out.empty()) {
         return badInput("--poses goes with --target vertex and -o, and writes attributes _AO_0, "
-                        "_AO_1, ... alone");
+                        "_BENT_NORMAL_0, _AO_1, ... alone");
     }
     Loaded<MovingGltf> moving = MovingGltf::open(input_.gltf, input_.name + ".glb");
     if (!moving) {
@@ -26,13 +27,14 @@ MaybeFailure BakeToPoses::prepare(OutputFiles& /*files*/) {
 }
 
 MaybeFailure BakeToPoses::beginRound(std::size_t round) {
-    Loaded<Model> model =
-        moving_->at(static_cast<std::size_t>(flags_.animation), double{flags_.poses[round]});
-    if (!model) {
-        return badInput(model.sentence());
+    Loaded<PosedModel> posed =
+        moving_->posedAt(static_cast<std::size_t>(flags_.animation), double{flags_.poses[round]});
+    if (!posed) {
+        return badInput(posed.sentence());
     }
+    posed_ = std::move(*posed);
     for (std::size_t i = 0; i < input_.pieces.size(); ++i) {
-        input_.pieces[i].surface = placedSurface(std::move(model->meshes[i]));
+        input_.pieces[i].surface = placedSurface(posed_.model.meshes[i]);
     }
     return std::nullopt;
 }
@@ -41,6 +43,12 @@ Status BakeToPoses::bake(bake::AbstractBaker& baker, const bake::BakeProgress& p
     Result<std::vector<bake::BakedVertices>> baked = baker.bakeVertices(flags_.vertices, progress);
     if (!baked) {
         return baked.status();
+    }
+    for (std::size_t piece = 0; piece < baked->size(); ++piece) {
+        std::vector<glm::vec3>& normals = (*baked)[piece].bentNormal;
+        for (std::size_t i = 0; i < normals.size(); ++i) {
+            normals[i] = posed_.atRest(piece, i, normals[i]);
+        }
     }
     poses_.push_back(std::move(*baked));
     return {};
@@ -69,6 +77,9 @@ Outcome<std::string> BakeToPoses::put(OutputFiles& /*files*/) {
             row.push_back(knownNumber(sum / double(values.size()), 3));
             input_.edit.setAttribute(mesh, origin.primitive, "_AO_" + std::to_string(pose),
                                      input_.edit.addFloats(values, 1));
+            input_.edit.setAttribute(
+                mesh, origin.primitive, "_BENT_NORMAL_" + std::to_string(pose),
+                input_.edit.addFloats(componentsOf(poses_[pose][i].bentNormal), 3));
         }
         input_.edit.setExtra(mesh, origin.primitive, "aolib_pose_times", flags_.poses);
         table.add(row);

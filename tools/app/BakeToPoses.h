@@ -10,8 +10,8 @@
 
 namespace aolib::app {
 
-/// Attributes of the model's vertices, one for each of several poses: _AO_0, _AO_1, ...; the times
-/// go to the primitive's extras.
+/// Attributes of the model's vertices, two for each of several poses: _AO_0, _BENT_NORMAL_0, _AO_1,
+/// ...; the times go to the primitive's extras.
 class BakeToPoses final : public AbstractBakeDestination {
 public:
     /// Both must outlive it.
@@ -27,7 +27,9 @@ private:
     BakeInput& input_;
     const BakeFlags& flags_;
     std::optional<MovingGltf> moving_;
-    std::vector<std::vector<bake::BakedVertices>> poses_; ///< by pose, then piece
+    PosedModel posed_; ///< of the round
+    /// By pose, then piece; bent normals as the mesh is at rest.
+    std::vector<std::vector<bake::BakedVertices>> poses_;
 };
 
 } // namespace aolib::app

@@ -9,8 +9,6 @@
 
 namespace aolib::app {
 
-namespace {
-
 std::vector<float> componentsOf(const std::vector<glm::vec3>& vectors) {
     std::vector<float> values;
     values.reserve(vectors.size() * 3);
@@ -19,8 +17,6 @@ std::vector<float> componentsOf(const std::vector<glm::vec3>& vectors) {
     }
     return values;
 }
-
-} // namespace
 
 MaybeFailure BakeToVertices::prepare(OutputFiles& /*files*/) {
     if (!flags_.ao.empty() || !flags_.bentNormals.empty() || flags_.out.empty()) {

@@ -8,6 +8,9 @@
 
 namespace aolib::app {
 
+/// Vectors as the numbers that they are made of, one after the other.
+std::vector<float> componentsOf(const std::vector<glm::vec3>& vectors);
+
 /// Attributes of the model's vertices.
 class BakeToVertices final : public AbstractBakeDestination {
 public:

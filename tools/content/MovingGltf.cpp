@@ -170,8 +170,8 @@ Loaded<bool> MovingGltf::morph(ModelMesh& mesh, const std::vector<double>& weigh
     return true;
 }
 
-Loaded<bool> MovingGltf::bend(ModelMesh& mesh, int number,
-                              const std::vector<glm::mat4>& world) const {
+Loaded<bool> MovingGltf::bend(ModelMesh& mesh, int number, const std::vector<glm::mat4>& world,
+                              std::vector<glm::mat3>& toWorld) const {
     const Loaded<GltfSkin> skin = readSkin(document_, number);
     if (!skin) {
         return skin.error();
@@ -185,6 +185,7 @@ Loaded<bool> MovingGltf::bend(ModelMesh& mesh, int number,
     for (std::size_t i = 0; i < skin->joints.size(); ++i) {
         joints.push_back(world[static_cast<std::size_t>(skin->joints[i])] * skin->fromMesh[i]);
     }
+    toWorld.assign(mesh.positions.size(), glm::mat3(1.0F));
     for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
         glm::mat4 blended(0.0F);
         float sum = 0.0F;
@@ -199,6 +200,7 @@ Loaded<bool> MovingGltf::bend(ModelMesh& mesh, int number,
             continue; // nothing holds it: it stays where it is
         }
         blended /= sum;
+        toWorld[v] = glm::mat3(blended);
         mesh.positions[v] = glm::vec3(blended * glm::vec4(mesh.positions[v], 1.0F));
         if (!mesh.normals.empty()) {
             mesh.normals[v] = glm::inverseTranspose(glm::mat3(blended)) * mesh.normals[v];
@@ -209,11 +211,13 @@ Loaded<bool> MovingGltf::bend(ModelMesh& mesh, int number,
 }
 
 Loaded<ModelMesh> MovingGltf::posed(const ModelMesh& mesh, const Pose& pose,
-                                    const std::vector<glm::mat4>& world) const {
+                                    const std::vector<glm::mat4>& world,
+                                    std::vector<glm::mat3>& toWorld) const {
     ModelMesh result = mesh;
     const tinygltf::Node& node =
         document_.structure.nodes[static_cast<std::size_t>(mesh.origin.node)];
     result.transform = world[static_cast<std::size_t>(mesh.origin.node)];
+    toWorld = {glm::mat3(result.transform)};
     const auto* weights = pose.find(mesh.origin.node, GltfTrack::Path::Weights);
     const std::vector<double>& own =
         node.weights.empty()
@@ -223,7 +227,7 @@ Loaded<ModelMesh> MovingGltf::posed(const ModelMesh& mesh, const Pose& pose,
         return done.error();
     }
     if (node.skin >= 0) {
-        if (Loaded<bool> done = bend(result, node.skin, world); !done) {
+        if (Loaded<bool> done = bend(result, node.skin, world, toWorld); !done) {
             return done.error();
         }
     }
@@ -242,6 +246,11 @@ Loaded<ModelMesh> MovingGltf::posed(const ModelMesh& mesh, const Pose& pose,
 }
 
 Loaded<Model> MovingGltf::at(std::size_t animation, double seconds) const {
+    Loaded<PosedModel> posed = posedAt(animation, seconds);
+    return posed ? Loaded<Model>(std::move(posed->model)) : posed.error();
+}
+
+Loaded<PosedModel> MovingGltf::posedAt(std::size_t animation, double seconds) const {
     Pose pose;
     if (animation < animations_.size()) {
         for (const GltfTrack& track : animations_[animation]) {
@@ -252,16 +261,26 @@ Loaded<Model> MovingGltf::at(std::size_t animation, double seconds) const {
     if (!world) {
         return world.error();
     }
-    Model model;
-    model.name = rest_.name;
+    PosedModel result;
+    result.model.name = rest_.name;
     for (const ModelMesh& mesh : rest_.meshes) {
-        Loaded<ModelMesh> moved = posed(mesh, pose, *world);
+        Loaded<ModelMesh> moved = posed(mesh, pose, *world, result.toWorld.emplace_back());
         if (!moved) {
             return moved.error();
         }
-        model.meshes.push_back(std::move(*moved));
+        result.model.meshes.push_back(std::move(*moved));
     }
-    return model;
+    return result;
+}
+
+glm::vec3 PosedModel::atRest(std::size_t mesh, std::size_t vertex,
+                             const glm::vec3& direction) const {
+    const std::vector<glm::mat3>& matrices = toWorld[mesh];
+    // The inverse transpose takes normals to the world.
+    const glm::vec3 local =
+        glm::transpose(matrices.size() == 1 ? matrices[0] : matrices[vertex]) * direction;
+    const float length = glm::length(local);
+    return length > 0.0F ? local / length : glm::vec3(0.0F, 1.0F, 0.0F);
 }
 
 } // namespace aolib

@@ -15,6 +15,18 @@
 
 namespace aolib {
 
+/// A model in a pose, and what has become of its directions.
+struct PosedModel {
+    Model model;
+    /// By mesh: what takes vectors from the mesh at rest to the world, one for each vertex of a
+    /// skin, else one for all.
+    std::vector<std::vector<glm::mat3>> toWorld;
+
+    /// A direction in the world as it is kept with a vertex, unit length: in the mesh's space at
+    /// rest, to be transformed as the vertex's normal is.
+    glm::vec3 atRest(std::size_t mesh, std::size_t vertex, const glm::vec3& direction) const;
+};
+
 /// A glTF in any pose of its animations: nodes that move, skins, morph targets.
 class MovingGltf {
 public:
@@ -27,6 +39,7 @@ public:
     /// The model at a time of an animation: meshes, vertices and triangles in the order of
     /// readGltf(). Meshes with a skin are in world space.
     Loaded<Model> at(std::size_t animation, double seconds) const;
+    Loaded<PosedModel> posedAt(std::size_t animation, double seconds) const;
     /// What moves, as numbers: all properties that the animation has tracks for.
     std::vector<float> parameters(std::size_t animation, double seconds) const;
 
@@ -36,9 +49,11 @@ private:
     Loaded<glm::dmat4> localTransform(const Pose& pose, std::size_t node) const;
     Loaded<std::vector<glm::mat4>> worldTransforms(const Pose& pose) const;
     Loaded<ModelMesh> posed(const ModelMesh& mesh, const Pose& pose,
-                            const std::vector<glm::mat4>& world) const;
+                            const std::vector<glm::mat4>& world,
+                            std::vector<glm::mat3>& toWorld) const;
     Loaded<bool> morph(ModelMesh& mesh, const std::vector<double>& weights) const;
-    Loaded<bool> bend(ModelMesh& mesh, int skin, const std::vector<glm::mat4>& world) const;
+    Loaded<bool> bend(ModelMesh& mesh, int skin, const std::vector<glm::mat4>& world,
+                      std::vector<glm::mat3>& toWorld) const;
     const tinygltf::Primitive& primitiveOf(const ModelMesh& mesh) const;
 
     GltfDocument document_;

@@ -3,6 +3,8 @@
 #include <span>
 #include <vector>
 
+#include <glm/vec3.hpp>
+
 #include <aolib/BakeExport.h>
 #include <aolib/Status.h>
 
@@ -30,5 +32,13 @@ poseWeightsFor(std::span<const std::vector<float>> poses, std::span<const float>
 /// Errors: InvalidOption. Since 0.1.
 AOLIB_BAKE_EXPORT Result<std::vector<float>> blendPoses(std::span<const std::vector<float>> poses,
                                                         std::span<const float> weights);
+
+/// Bent normals of vertices between poses: the weighted sum, made one unit long; where that is
+/// zero, what the pose of the greatest weight has. They have to be in the space in which the mesh
+/// is at rest, and are then transformed as normals are.
+/// @param poses  as for blendPoses(), unit length.
+/// Errors: InvalidOption. Since 0.1.
+AOLIB_BAKE_EXPORT Result<std::vector<glm::vec3>>
+blendPoseNormals(std::span<const std::vector<glm::vec3>> poses, std::span<const float> weights);
 
 } // namespace aolib::bake

@@ -141,13 +141,15 @@ TEST_F(BakeCommandTest, PosesGetAnAttributeEach) {
     for (const Json& mesh : json["meshes"]) {
         const Json& primitive = mesh["primitives"][0];
         EXPECT_EQ(primitive["extras"]["aolib_pose_times"], (std::vector<float>{0.0F, 0.5F, 2.0F}));
-        for (const char* name : {"_AO_0", "_AO_1", "_AO_2"}) {
+        for (const char* name :
+             {"_AO_0", "_AO_1", "_AO_2", "_BENT_NORMAL_0", "_BENT_NORMAL_1", "_BENT_NORMAL_2"}) {
             ASSERT_TRUE(primitive["attributes"].contains(name)) << name;
             const Json& accessor =
                 json["accessors"][primitive["attributes"][name].get<std::size_t>()];
             EXPECT_EQ(accessor["count"], json["accessors"][0]["count"]);
         }
         EXPECT_FALSE(primitive["attributes"].contains("_AO"));
+        EXPECT_FALSE(primitive["attributes"].contains("_BENT_NORMAL"));
     }
     EXPECT_EQ(json["animations"].size(), 1U) << "and it still moves";
     const std::string table = run({"bake", "hinge", "-o", "again.glb", "--target", "vertex",
@@ -189,10 +191,15 @@ TEST_F(BakeCommandTest, MethodsOnTheGpuGiveTheSameMap) {
             EXPECT_NEAR(at(*gpu, 0.5F, v), at(*rays, 0.5F, v), 0.12F) << method << " at " << v;
         }
     }
-    expectDone({"bake", "uv-shapes", "-o", "v.glb", "--target", "vertex", "--method", "shadow",
-                "--directions", "8", "--depth-size", "64"});
-    expectRefused({"bake", "uv-shapes", "-o", "w.glb", "--target", "vertex", "--method", "scatter"},
-                  {"scattering fills maps"});
+    for (const char* method : {"scatter", "shadow"}) {
+        expectDone({"bake", "uv-shapes", "-o", "v.glb", "--target", "vertex", "--method", method,
+                    "--directions", "8", "--depth-size", "64", "--raster", "64", "--fit",
+                    "least-squares"});
+        EXPECT_TRUE(jsonOf("v.glb")["meshes"][0]["primitives"][0]["attributes"].contains("_AO"));
+    }
+    expectRefused({"bake", "uv-shapes", "-o", "w.glb", "--target", "vertex", "--method", "scatter",
+                   "--fit", "triangle-mean"},
+                  {"LeastSquares fits them"});
     expectRefused({"bake", "uv-shapes", "-o", "w.glb", "--method", "shadow", "--radius", "1"},
                   {"--radius"});
 }

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -64,6 +65,21 @@ TEST(PoseBlendTest, ValuesAreSummedAndCut) {
     EXPECT_NEAR((*half)[0], 0.4F, 1e-6F);
     EXPECT_EQ((*blendPoses(poses, Weights{2.0F, -1.0F}))[0], 0.0F);
     EXPECT_EQ((*blendPoses(poses, Weights{2.0F, -1.0F}))[1], 1.0F);
+}
+
+TEST(PoseBlendTest, NormalsAreSummedAndMadeOneUnitLong) {
+    const std::vector<std::vector<glm::vec3>> poses{
+        {{1.0F, 0.0F, 0.0F}, {0.0F, 1.0F, 0.0F}},
+        {{0.0F, 0.0F, 1.0F}, {0.0F, -1.0F, 0.0F}},
+    };
+    const std::vector<float> half{0.5F, 0.5F};
+    const auto middle = blendPoseNormals(poses, half);
+    ASSERT_TRUE(middle);
+    EXPECT_NEAR((*middle)[0].x, std::sqrt(0.5F), 1e-6F);
+    EXPECT_NEAR((*middle)[0].z, std::sqrt(0.5F), 1e-6F);
+    EXPECT_EQ((*middle)[1], glm::vec3(0.0F, 1.0F, 0.0F)) << "opposite ones: a pose's own";
+    const std::vector<float> one{1.0F};
+    EXPECT_EQ(blendPoseNormals(poses, one).status().code(), StatusCode::InvalidOption);
 }
 
 TEST(PoseBlendTest, MistakesAreNamed) {

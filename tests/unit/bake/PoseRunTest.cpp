@@ -27,6 +27,8 @@ TEST(PoseRunTest, MorePosesComeNearerAndBothBeatTheModelAtRest) {
     EXPECT_LT(more.byTime, 0.7 * few.byTime);
     EXPECT_LT(more.byParameters, 0.8 * few.byParameters);
     EXPECT_LT(more.byTime, 3.0 * more.noise) << "near to what two bakes differ by";
+    EXPECT_LT(more.byTimeAngle, 0.7 * few.byTimeAngle);
+    EXPECT_LT(more.byTimeAngle, 0.7 * more.restAngle);
     EXPECT_EQ(runPosePlan(plan, [](double) { return false; }).status().code(),
               StatusCode::Cancelled);
 }

@@ -2,6 +2,7 @@
 #include <string>
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_inverse.hpp>
 #include <glm/trigonometric.hpp>
 #include <gtest/gtest.h>
 
@@ -184,6 +185,28 @@ TEST(MovingGltfTest, TheArmBendsAtItsElbow) {
     EXPECT_LT(highest, 2.8F);
     for (const glm::vec3& normal : bent.meshes[0].normals) {
         ASSERT_NEAR(glm::length(normal), 1.0F, 1e-4F);
+    }
+}
+
+TEST(MovingGltfTest, DirectionsOfAPoseGoBackToRestAsNormalsDo) {
+    for (const char* name : {"arm", "hinge"}) { // a skin, and nodes
+        const MovingGltf moving = opened(*animatedModel(name));
+        const PosedModel posed = *moving.posedAt(0, 0.7 * moving.duration(0));
+        const Model still = *moving.at(moving.animations(), 0.0);
+        ASSERT_EQ(posed.toWorld.size(), still.meshes.size());
+        float farthest = 0.0F;
+        for (std::size_t m = 0; m < still.meshes.size(); ++m) {
+            const ModelMesh& mesh = posed.model.meshes[m];
+            for (std::size_t v = 0; v < mesh.normals.size(); ++v) {
+                const glm::vec3 world =
+                    glm::inverseTranspose(glm::mat3(mesh.transform)) * mesh.normals[v];
+                const glm::vec3 back = posed.atRest(m, v, world);
+                const glm::vec3& rest = still.meshes[m].normals[v];
+                ASSERT_LT(glm::distance(back, rest), 1e-4F) << name << ' ' << v;
+                farthest = std::max(farthest, glm::distance(world, rest));
+            }
+        }
+        EXPECT_GT(farthest, 0.5F) << name << " has moved";
     }
 }
 

@@ -31,6 +31,11 @@ struct PoseRow {
     double byTime = 0.0;       ///< of poseWeightsAt()
     double byParameters = 0.0; ///< of poseWeightsFor(), from all that moves
     double noise = 0.0;        ///< between two fresh bakes
+    /// Mean angle between bent normals, in the mesh's space at rest, and the fresh ones where W is
+    /// between 0.1 and 0.9; degrees: of the model at rest, by time, and the noise.
+    double restAngle = 0.0;
+    double byTimeAngle = 0.0;
+    double noiseAngle = 0.0;
 };
 
 /// Errors: those of poses and bakers. @param goOn  false ends the run: Cancelled.

@@ -1,9 +1,11 @@
 #include "bench/bake/BakeTable.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <map>
+#include <set>
 #include <sstream>
 #include <utility>
 
@@ -17,6 +19,42 @@ std::string fixed(double value, int decimals) {
     std::array<char, 64> text{};
     std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
     return text.data();
+}
+
+/// McGraw and Sowers 2008, table 1: seconds of a GeForce 8800 GTX for maps of 1024^2.
+struct PaperRow {
+    int triangles;
+    double scatter512;
+    double shadow512;
+    double scatter1024;
+    double shadow1024;
+};
+constexpr std::array<PaperRow, 7> paperTable{{
+    {14998, 5.9, 11.2, 11.3, 20.7},
+    {20088, 5.9, 11.1, 11.8, 18.5},
+    {63012, 6.2, 11.3, 12.3, 22.6},
+    {84638, 6.7, 11.6, 12.1, 23.4},
+    {290656, 7.3, 19.6, 14.6, 39.3},
+    {588032, 8.5, 38.8, 16.9, 77.0},
+    {654666, 9.3, 40.5, 18.7, 81.2},
+}};
+
+void addPaperCurves(int samples, std::vector<Curve>& curves) {
+    if (samples != 512 && samples != 1024) {
+        return;
+    }
+    const std::string end = ", " + std::to_string(samples) + " (2008, on a card)";
+    Curve scatter{"McGraw and Sowers: scatter" + end, {160, 160, 160}, Marker::Disc, {}};
+    Curve shadow{"McGraw and Sowers: shadow" + end, {90, 90, 90}, Marker::Square, {}};
+    scatter.dash = shadow.dash = 6.0;
+    for (const PaperRow& row : paperTable) {
+        scatter.points.push_back(
+            {double(row.triangles), samples == 512 ? row.scatter512 : row.scatter1024, ""});
+        shadow.points.push_back(
+            {double(row.triangles), samples == 512 ? row.shadow512 : row.shadow1024, ""});
+    }
+    curves.push_back(std::move(scatter));
+    curves.push_back(std::move(shadow));
 }
 
 bool parseMethod(const std::string& name, BakeMethodName& method) {
@@ -113,8 +151,15 @@ Plot bakePlot(const std::vector<BakeRow>& rows, const std::string& subtitle) {
     plot.subtitle = subtitle;
     plot.x.title = "triangles";
     plot.y.title = "seconds";
+    std::set<int> samples;
     for (auto& [key, curve] : curves) {
+        std::sort(curve.points.begin(), curve.points.end(),
+                  [](const PlotPoint& a, const PlotPoint& b) { return a.x < b.x; });
+        samples.insert(key.second);
         plot.curves.push_back(std::move(curve));
+    }
+    for (const int count : samples) {
+        addPaperCurves(count, plot.curves);
     }
     return plot;
 }

@@ -16,7 +16,8 @@ std::vector<BakeRow> rowsOfBakeCsv(const std::string& text);
 /// The rows as a table in Markdown, as docs/baking.md shows them.
 std::string bakeMarkdown(const std::vector<BakeRow>& rows);
 
-/// Seconds over triangles, a curve per method and number of samples.
+/// Seconds over triangles, a curve per method and number of samples, beside those of McGraw and
+/// Sowers 2008 where these are 512 or 1024.
 Plot bakePlot(const std::vector<BakeRow>& rows, const std::string& subtitle);
 
 } // namespace aolib::bench

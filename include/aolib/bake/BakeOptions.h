@@ -102,7 +102,7 @@ struct MapOptions {
     /// Which texels of each map are wanted: not 0, as many as a map has, row 0 at the bottom; empty
     /// for all. The others are left like those that no chart covers. Rays and shadow maps take so
     /// much less time, scattering takes the same.
-    std::vector<std::uint8_t> wanted;
+    std::vector<std::uint8_t> wanted = {};
 };
 
 /// Settings of vertices.

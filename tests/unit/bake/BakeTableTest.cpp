@@ -20,7 +20,8 @@ TEST(BakeTableTest, RowsComeBackFromTheirText) {
     ASSERT_EQ(read.size(), 3U);
     EXPECT_EQ(read[0].mesh, "big");
     EXPECT_EQ(read[2].method, BakeMethodName::Shadow);
-    EXPECT_EQ(read[1].processor, 6.0);
+    EXPECT_EQ(read[1].processor, 5.0);
+    EXPECT_EQ(read[1].seconds, 6.0);
     EXPECT_EQ(read[1].errors.seams, 0.04);
 }
 

@@ -88,17 +88,13 @@ Result<const gl::RenderToTexture2D*> AbstractBackbone::fillBuffers(const Frame& 
     if (Status status = geometry_.update(context_, frame, host_); !status) {
         return status;
     }
-    if (!visibility_ || visibility_.width() != frame.size.x ||
-        visibility_.height() != frame.size.y) {
-        auto created = gl::RenderToTexture2D::create(
-            context_.gl, {.width = frame.size.x,
-                          .height = frame.size.y,
-                          .targets = {gl::RenderToTexture2D::Format::RG32F},
-                          .label = "aolib/frame/visibility"});
-        if (!created) {
-            return created.status();
-        }
-        visibility_ = std::move(*created);
+    if (Status status =
+            visibility_.become(context_.gl, {.width = frame.size.x,
+                                             .height = frame.size.y,
+                                             .targets = {gl::RenderToTexture2D::Format::RG32F},
+                                             .label = "aolib/frame/visibility"});
+        !status) {
+        return status;
     }
     const auto projected = computeVisibility(frame);
     if (projected) {

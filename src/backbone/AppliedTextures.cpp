@@ -119,16 +119,12 @@ Status AppliedTextures::attachColour(const gl::Functions& gl, const HostTextures
 }
 
 Status AppliedTextures::clearFactor(const gl::Functions& gl, const glm::ivec2& size) {
-    if (!factor_ || factor_.width() != size.x || factor_.height() != size.y) {
-        auto created =
-            gl::RenderToTexture2D::create(gl, {.width = size.x,
-                                               .height = size.y,
-                                               .targets = {gl::RenderToTexture2D::Format::R8},
-                                               .label = "aolib/applied/factor"});
-        if (!created) {
-            return created.status();
-        }
-        factor_ = std::move(*created);
+    if (Status status = factor_.become(gl, {.width = size.x,
+                                            .height = size.y,
+                                            .targets = {gl::RenderToTexture2D::Format::R8},
+                                            .label = "aolib/applied/factor"});
+        !status) {
+        return status;
     }
     const std::array<GLfloat, 4> one{1.0F, 1.0F, 1.0F, 1.0F};
     factor_.beginAll();

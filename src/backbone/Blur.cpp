@@ -26,16 +26,12 @@ Status Blur::apply(const BackboneContext& context, const Frame& frame,
                    const GeometryBuffer& geometry, const gl::RenderToTexture2D& projected, int size,
                    const gl::RenderToTexture2D& target) {
     const gl::DebugGroup group(context.gl, "aolib: blur");
-    if (!sums_ || sums_.width() != frame.size.x || sums_.height() != frame.size.y) {
-        auto created = gl::RenderToTexture2D::create(
-            context.gl, {.width = frame.size.x,
-                         .height = frame.size.y,
-                         .targets = {gl::RenderToTexture2D::Format::RG32F},
-                         .label = "aolib/frame/rows"});
-        if (!created) {
-            return created.status();
-        }
-        sums_ = std::move(*created);
+    if (Status status = sums_.become(context.gl, {.width = frame.size.x,
+                                                  .height = frame.size.y,
+                                                  .targets = {gl::RenderToTexture2D::Format::RG32F},
+                                                  .label = "aolib/frame/rows"});
+        !status) {
+        return status;
     }
     const auto draw = [&](gl::GLSLShader& shader, const gl::RenderToTexture2D& into) {
         into.begin(0);

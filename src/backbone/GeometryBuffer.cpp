@@ -19,16 +19,12 @@ Status GeometryBuffer::update(const BackboneContext& context, const Frame& frame
                               const HostFramebuffer& host) {
     using Format = gl::RenderToTexture2D::Format;
     const gl::DebugGroup group(context.gl, "aolib: geometry buffer");
-    if (!target_ || target_.width() != frame.size.x || target_.height() != frame.size.y) {
-        auto created =
-            gl::RenderToTexture2D::create(context.gl, {.width = frame.size.x,
-                                                       .height = frame.size.y,
-                                                       .targets = {Format::R32F, Format::RG16F},
-                                                       .label = "aolib/frame/geometry"});
-        if (!created) {
-            return created.status();
-        }
-        target_ = std::move(*created);
+    if (Status status = target_.become(context.gl, {.width = frame.size.x,
+                                                    .height = frame.size.y,
+                                                    .targets = {Format::R32F, Format::RG16F},
+                                                    .label = "aolib/frame/geometry"});
+        !status) {
+        return status;
     }
     if (frame.hostNormals && !withNormals_) {
         auto shader = buildShader(context.gl, "fullscreen.vert", "frame/geometry_buffer.frag",

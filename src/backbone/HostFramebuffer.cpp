@@ -83,20 +83,15 @@ Status HostFramebuffer::acquire(const gl::Functions& gl, Frame& frame) {
 Status HostFramebuffer::copyDepth(const gl::Functions& gl, const Frame& frame, Depth format) {
     GLint samples = 0;
     gl.GetIntegerv(GL_SAMPLES, &samples);
-    if (!depth_ || format != format_ || depth_.width() != frame.size.x ||
-        depth_.height() != frame.size.y) {
-        auto created = gl::RenderToTexture2D::create(gl, {.width = frame.size.x,
-                                                          .height = frame.size.y,
-                                                          .targets = {},
-                                                          .depth = format,
-                                                          .label = "aolib/frame/depth"});
-        if (!created) {
-            return created.status();
-        }
-        depth_ = std::move(*created);
-        format_ = format;
-        gl.BindFramebuffer(GL_READ_FRAMEBUFFER, frame.depthFramebuffer);
+    if (Status status = depth_.become(gl, {.width = frame.size.x,
+                                           .height = frame.size.y,
+                                           .targets = {},
+                                           .depth = format,
+                                           .label = "aolib/frame/depth"});
+        !status) {
+        return status;
     }
+    gl.BindFramebuffer(GL_READ_FRAMEBUFFER, frame.depthFramebuffer);
     const glm::ivec2 o = frame.origin;
     const glm::ivec2 s = frame.size;
     if (samples > 0) {
@@ -112,16 +107,12 @@ Status HostFramebuffer::copyDepth(const gl::Functions& gl, const Frame& frame, D
 }
 
 Status HostFramebuffer::copyNormals(const gl::Functions& gl, const Frame& frame) {
-    if (!normals_ || normals_.width() != frame.size.x || normals_.height() != frame.size.y) {
-        auto created =
-            gl::RenderToTexture2D::create(gl, {.width = frame.size.x,
-                                               .height = frame.size.y,
-                                               .targets = {gl::RenderToTexture2D::Format::RGBA16F},
-                                               .label = "aolib/frame/normals"});
-        if (!created) {
-            return created.status();
-        }
-        normals_ = std::move(*created);
+    if (Status status = normals_.become(gl, {.width = frame.size.x,
+                                             .height = frame.size.y,
+                                             .targets = {gl::RenderToTexture2D::Format::RGBA16F},
+                                             .label = "aolib/frame/normals"});
+        !status) {
+        return status;
     }
     gl.BindFramebuffer(GL_READ_FRAMEBUFFER, frame.depthFramebuffer);
     const bool shifted =

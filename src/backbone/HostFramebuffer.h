@@ -29,7 +29,6 @@ private:
     Status copyNormals(const gl::Functions& gl, const Frame& frame);
 
     gl::RenderToTexture2D depth_;
-    gl::RenderToTexture2D::Depth format_ = gl::RenderToTexture2D::Depth::None;
     gl::RenderToTexture2D normals_;
     glm::vec2 normalCode_{1.0F, 0.0F};
 };

@@ -111,6 +111,17 @@ Result<RenderToTexture2D> RenderToTexture2D::create(const Functions& gl, const S
     return rtt;
 }
 
+Status RenderToTexture2D::become(const Functions& gl, const Settings& settings) {
+    if (*this && settings_ == settings) {
+        return {};
+    }
+    Result<RenderToTexture2D> created = create(gl, settings);
+    if (created) {
+        *this = std::move(*created);
+    }
+    return created.status();
+}
+
 void RenderToTexture2D::begin(int target) const {
     gl_->BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
     gl_->DrawBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(target));

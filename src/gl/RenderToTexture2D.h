@@ -52,11 +52,17 @@ public:
         Filter minFilter = Filter::Nearest;
         Filter magFilter = Filter::Nearest;
         std::string label; ///< for debuggers: "aolib/cube3"
+
+        bool operator==(const Settings&) const = default;
     };
 
     RenderToTexture2D() = default;
     /// Leaves its framebuffer bound. Errors: MissingCapability (size or format), OutOfMemory.
     static Result<RenderToTexture2D> create(const Functions& gl, const Settings& settings);
+
+    /// Becomes one of these settings, unless it is. May leave its framebuffer bound.
+    /// Errors: as create(); it then stays what it was.
+    Status become(const Functions& gl, const Settings& settings);
 
     /// Directs rendering to one target, or to all of them as locations 0, 1, ...; sets the
     /// viewport.

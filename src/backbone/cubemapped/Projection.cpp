@@ -139,18 +139,10 @@ Status Projection::shade(const BackboneContext& context, const Frame& frame,
 
 Status Projection::prepare(const BackboneContext& context, const glm::ivec2& size,
                            gl::RenderToTexture2D& target) {
-    if (target && target.width() == size.x && target.height() == size.y) {
-        return {};
-    }
-    auto created = gl::RenderToTexture2D::create(
-        context.gl, {.width = size.x,
-                     .height = size.y,
-                     .targets = {gl::RenderToTexture2D::Format::RGBA32F},
-                     .label = "aolib/frame/best"});
-    if (created) {
-        target = std::move(*created);
-    }
-    return created.status();
+    return target.become(context.gl, {.width = size.x,
+                                      .height = size.y,
+                                      .targets = {gl::RenderToTexture2D::Format::RGBA32F},
+                                      .label = "aolib/frame/best"});
 }
 
 Result<const gl::RenderToTexture2D*>

@@ -38,16 +38,13 @@ Status BackboneScreenSpace::chooseEstimator() {
 
 Result<const gl::RenderToTexture2D*> BackboneScreenSpace::computeVisibility(const Frame& frame) {
     const gl::DebugGroup group(context_.gl, "aolib: screen-space visibility");
-    if (!target_ || target_.width() != frame.size.x || target_.height() != frame.size.y) {
-        auto created = gl::RenderToTexture2D::create(
-            context_.gl, {.width = frame.size.x,
-                          .height = frame.size.y,
-                          .targets = {gl::RenderToTexture2D::Format::RG16F},
-                          .label = "aolib/screenspace/visibility"});
-        if (!created) {
-            return created.status();
-        }
-        target_ = std::move(*created);
+    if (Status status =
+            target_.become(context_.gl, {.width = frame.size.x,
+                                         .height = frame.size.y,
+                                         .targets = {gl::RenderToTexture2D::Format::RG16F},
+                                         .label = "aolib/screenspace/visibility"});
+        !status) {
+        return status;
     }
     if (estimator_ != context_.options.estimator) {
         if (Status status = chooseEstimator(); !status) {

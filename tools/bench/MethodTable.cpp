@@ -59,39 +59,35 @@ Method rayTracedCube(int rays, int faceSize, int cubeMaps = 1) {
             FacadeMethod{options, cubeMaps}};
 }
 
+/// A variant of a method, run on request; the caller changes what it measures.
+FacadeMethod& named(Method& method, const std::string& suffix, const std::string& label) {
+    method.name += suffix;
+    method.label += label;
+    method.standard = kOnRequest;
+    return std::get<FacadeMethod>(method.how);
+}
+
 /// The same as a moving camera sees it: pixels are not computed themselves.
 Method moving(Method method) {
-    std::get<FacadeMethod>(method.how).options.cubeMaps.repair = false;
-    method.name += "-moving";
-    method.label += " moving";
-    method.standard = kOnRequest;
+    named(method, "-moving", " moving").options.cubeMaps.repair = false;
     return method;
 }
 
 /// The same projected at half the resolution.
 Method halved(Method method) {
-    std::get<FacadeMethod>(method.how).options.cubeMaps.halfResolution = true;
-    method.name += "-half";
-    method.label += " half";
-    method.standard = kOnRequest;
+    named(method, "-half", " half").options.cubeMaps.halfResolution = true;
     return method;
 }
 
 /// The same a little in every frame: what the first frame shows is no more than begun.
 Method paced(Method method) {
-    std::get<FacadeMethod>(method.how).options.frameBudget = 5.0F;
-    method.name += "-paced";
-    method.label += " paced";
-    method.standard = kOnRequest;
+    named(method, "-paced", " paced").options.frameBudget = 5.0F;
     return method;
 }
 
 /// The same where pixels of the view at rest can be traced.
 Method tracedAtRest(Method method) {
-    std::get<FacadeMethod>(method.how).tracer = true;
-    method.name += "-traced";
-    method.label += " traced pixels";
-    method.standard = kOnRequest;
+    named(method, "-traced", " traced pixels").tracer = true;
     return method;
 }
 

@@ -69,6 +69,14 @@ protected:
         key("ctrl+q");
         EXPECT_EQ(finish(), 0) << bytesOf("log");
     }
+    /// Types the path of one of the test's files into the viewer's field.
+    void openByPath(const std::string& name) {
+        const json place = state()["widgets"]["path"];
+        click(place[0].get<double>() + 20.0, place[1].get<double>() + 8.0);
+        pressKey("ctrl+a");
+        type(path(name).string());
+        pressKey("Return");
+    }
     ByteImage picture(const std::string& name) const {
         ImageResult<ByteImage> read = readPng(path(name));
         EXPECT_TRUE(read) << name;
@@ -248,13 +256,6 @@ TEST_F(WindowGLTest, FilesAreOpenedAndBadOnesLeaveTheOldScene) {
     write("broken.glb", "not a model");
     write("triangle.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     start(kSmall);
-    const json place = state()["widgets"]["path"];
-    const auto openByPath = [&](const std::string& name) {
-        click(place[0].get<double>() + 20.0, place[1].get<double>() + 8.0);
-        pressKey("ctrl+a");
-        type(path(name).string());
-        pressKey("Return");
-    };
     openByPath("broken.glb");
     waitFor("the reason", [](const json& s) {
         return s["message"].get<std::string>().find("broken.glb") != std::string::npos;
@@ -343,13 +344,6 @@ TEST_F(WindowGLTest, EnvironmentsAreDroppedAndBadOnesLeaveTheOldOne) {
     write("broken.hdr", "not a picture");
     start(with(kSmall, {"--lit-rays", "4", "--lit-edge", "20"}));
     EXPECT_EQ(state()["light"]["vertices"], 0) << "nobody has asked for it";
-    const json place = state()["widgets"]["path"];
-    const auto openByPath = [&](const std::string& name) {
-        click(place[0].get<double>() + 20.0, place[1].get<double>() + 8.0);
-        pressKey("ctrl+a");
-        type(path(name).string());
-        pressKey("Return");
-    };
     openByPath("white.hdr");
     waitFor("baked vertices", [](const json& s) { return s["light"]["vertices"] > 0; });
     EXPECT_EQ(state()["rival"], "environment");

@@ -7,5 +7,5 @@ layout(location = 0) out vec4 outBest;
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     HostSurface surface;
-    outBest = hostSurface(pixel, surface) ? upsampled(pixel, surface) : vec4(0.0, -1.0e5, 0.0, 0.0);
+    outBest = hostSurface(pixel, surface) ? upsampled(pixel, surface) : kNothingTold;
 }

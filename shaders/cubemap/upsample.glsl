@@ -6,6 +6,7 @@
 uniform sampler2D uHalf; // project.frag's, a sample for each 2 x 2 pixels: at the upper right one
 
 const float kOnPlaneFootprints = 1.0;
+const vec4 kNothingTold = vec4(0.0, -1.0e5, 0.0, 0.0); // project.frag's kUnknown
 
 ivec2 pixelOfSample(ivec2 at) { return min(2 * at + 1, ivec2(uViewSize) - 1); }
 
@@ -19,7 +20,7 @@ vec4 upsampled(ivec2 pixel, HostSurface surface) {
     float sum = 0.0;
     float weights = 0.0;
     float nearest = 1.0e30;
-    vec4 best = vec4(0.0, -1.0e5, 0.0, 0.0);
+    vec4 best = kNothingTold;
     for (int i = 0; i < 4; ++i) {
         ivec2 corner = ivec2(i & 1, i >> 1);
         ivec2 at = clamp(base + corner, ivec2(0), last);

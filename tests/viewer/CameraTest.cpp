@@ -149,7 +149,7 @@ TEST_F(CameraControlTest, RestsWithoutInput) {
 
 TEST_F(CameraControlTest, ADragThatIsNotItsOwnIsLeftAlone) {
     Input input;
-    input.drag[0] = {30.0F, 0.0F};
+    input.drags[0].by = {30.0F, 0.0F};
     EXPECT_FALSE(follow(input, 0.1F, /*turning=*/false));
     EXPECT_TRUE(follow(input));
     control.reset();

@@ -53,9 +53,9 @@ bool CameraControl::follow(const Input& input, float height, float seconds, bool
 void CameraControl::orbit(const Input& input, float height, bool turning) {
     const OrbitCamera orbit(size_, height);
     if (turning) {
-        orbit.turn(camera_, input.dragOf(MouseButton::Left));
+        orbit.turn(camera_, input.of(MouseButton::Left).by);
     }
-    orbit.pan(camera_, input.dragOf(MouseButton::Right) + input.dragOf(MouseButton::Middle));
+    orbit.pan(camera_, input.of(MouseButton::Right).by + input.of(MouseButton::Middle).by);
     if (input.wheel != 0.0F) {
         orbit.zoom(camera_, input.wheel);
     }
@@ -64,9 +64,9 @@ void CameraControl::orbit(const Input& input, float height, bool turning) {
 void CameraControl::walk(const Input& input, float height, float seconds, bool turning) {
     const WalkCamera walk(size_, height);
     if (turning) {
-        walk.look(camera_, input.dragOf(MouseButton::Left));
+        walk.look(camera_, input.of(MouseButton::Left).by);
     }
-    walk.look(camera_, input.dragOf(MouseButton::Right));
+    walk.look(camera_, input.of(MouseButton::Right).by);
     walkSpeed = std::clamp(walkSpeed * std::pow(kSpeedPerNotch, input.wheel), kSlowest, kFastest);
     if (input.walk != glm::vec3(0.0F)) {
         walk.move(camera_, input.walk, input.fast ? kFast * walkSpeed : walkSpeed, seconds);

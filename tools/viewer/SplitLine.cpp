@@ -22,17 +22,19 @@ bool SplitLine::near(float x, float width) const {
     return std::abs(x - share_ * width) <= kGrabReach;
 }
 
-bool SplitLine::follow(float x, float width, bool pressed, bool held) {
-    if (pressed && near(x, width)) {
-        dragging_ = true;
-        grip_ = x - share_ * width;
+bool SplitLine::follow(const ButtonDrag& left, float width) {
+    if (left.pressed) {
+        dragging_ = near(left.from.x, width);
+        grip_ = left.from.x - share_ * width;
+    } else if (!held_) {
+        dragging_ = false;
     }
-    dragging_ = dragging_ && held;
+    held_ = left.held;
     if (!dragging_ || !(width > 0.0F)) {
         return false;
     }
     const float before = share_;
-    place((x - grip_) / width);
+    place((left.to.x - grip_) / width);
     return share_ != before;
 }
 

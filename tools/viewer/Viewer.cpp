@@ -203,12 +203,11 @@ void Viewer::follow(const Input& input, float seconds) {
         openScene(input.dropped.front());
     }
     const glm::vec2 size = pictureSize();
-    const auto left = static_cast<std::size_t>(MouseButton::Left);
-    const bool pressed = input.pressed[left];
+    const ButtonDrag& left = input.of(MouseButton::Left);
     if (state_.rival != Rival::None) {
-        state_.split.follow(input.mouse.x, size.x, pressed, input.held[left]);
+        state_.split.follow(left, size.x);
     }
-    if (pressed) {
+    if (left.pressed) {
         grabbed_ = state_.split.dragging();
     }
     followGizmos(input);

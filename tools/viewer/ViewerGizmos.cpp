@@ -16,17 +16,15 @@ constexpr float kGizmoShare = 0.008F;
 } // namespace
 
 void Viewer::followGizmos(const Input& input) {
-    const auto left = static_cast<std::size_t>(MouseButton::Left);
+    const ButtonDrag& left = input.of(MouseButton::Left);
     const std::vector<CubeMapInfo> cubeMaps = scene_->ao().cubeMaps();
     const auto stands = [&](CubeMapId id) {
         return std::ranges::find(cubeMaps, id, &CubeMapInfo::id);
     };
-    // Where the button went down: the mouse may be far from there when a frame takes long.
-    const glm::vec2 from = input.mouse - input.dragOf(MouseButton::Left);
-    const auto mark = gizmoAt(gizmos_, from);
-    if (input.pressed[left] && mark && !grabbed_ && stands(*mark) != cubeMaps.end()) {
+    const auto mark = gizmoAt(gizmos_, left.from);
+    if (left.pressed && mark && !grabbed_ && stands(*mark) != cubeMaps.end()) {
         state_.chosen = mark;
-        drag_.begin(*mark, stands(*mark)->position, from);
+        drag_.begin(*mark, stands(*mark)->position, left.from);
         grabbed_ = true;
     }
     const bool escaped = std::ranges::count(input.keys, GLFW_KEY_ESCAPE, &KeyPress::key) > 0;
@@ -34,9 +32,9 @@ void Viewer::followGizmos(const Input& input) {
     if (escaped || (dragged && stands(dragged->id) == cubeMaps.end())) {
         drag_.cancel();
     }
-    drag_.follow(input.mouse, input.fast ? GizmoDrag::Along::Ray : GizmoDrag::Along::Plane,
+    drag_.follow(left.to, input.fast ? GizmoDrag::Along::Ray : GizmoDrag::Along::Plane,
                  state_.camera.camera(), pictureSize());
-    if (!input.held[left]) {
+    if (!left.held) {
         if (const auto move = drag_.end()) {
             moveCubeMap(*move);
         }

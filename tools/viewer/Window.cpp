@@ -78,7 +78,10 @@ void Window::watch() {
             self.input_.keys.push_back({key, control, (mods & GLFW_MOD_SHIFT) != 0});
         }
     });
-    glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double, double) { of(w).stirred_ = true; });
+    glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) {
+        of(w).stirred_ = true;
+        of(w).mouse_ = glm::vec2(x, y);
+    });
     glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned) { of(w).stirred_ = true; });
     glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { of(w).stirred_ = true; });
     glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { of(w).stirred_ = true; });
@@ -88,23 +91,24 @@ void Window::watch() {
     });
 }
 
+/// The mouse is where the latest event saw it, not where it is by now: the events of a long frame
+/// come all at once, and what it did after the button went down is a drag.
 void Window::pressButton(int button, bool down) {
     stirred_ = true;
-    const std::size_t which = indexOf(button);
-    double x = 0.0;
-    double y = 0.0;
-    glfwGetCursorPos(window_, &x, &y);
-    if (down && x < static_cast<double>(picture_) && !ImGui::GetIO().WantCaptureMouse) {
-        input_.pressed[which] = true;
-        input_.held[which] = true;
-        dragFrom_ = glm::vec2(x, y);
-    } else if (!down) {
-        // What was dragged up to here counts, even if no frame saw it.
-        if (input_.held[which]) {
-            input_.drag[which] += glm::vec2(x, y) - dragFrom_;
-        }
-        input_.held[which] = false;
+    ButtonDrag& drag = input_.drags[indexOf(button)];
+    if (down && mouse_.x < picture_ && !ImGui::GetIO().WantCaptureMouse) {
+        drag.pressed = true;
+        drag.held = true;
+        drag.from = drag.to = mouse_;
+    } else if (!down && drag.held) {
+        extend(drag);
+        drag.held = false;
     }
+}
+
+void Window::extend(ButtonDrag& drag) const {
+    drag.by += mouse_ - drag.to;
+    drag.to = mouse_;
 }
 
 void Window::wait(double seconds) {
@@ -127,16 +131,11 @@ bool Window::keyHeld(int key) const {
 
 Input Window::takeInput(float picture) {
     picture_ = picture;
-    double x = 0.0;
-    double y = 0.0;
-    glfwGetCursorPos(window_, &x, &y);
-    input_.mouse = glm::vec2(x, y);
-    for (std::size_t button = 0; button < input_.held.size(); ++button) {
-        if (input_.held[button]) {
-            input_.drag[button] += input_.mouse - dragFrom_;
+    for (ButtonDrag& drag : input_.drags) {
+        if (drag.held) {
+            extend(drag);
         }
     }
-    dragFrom_ = input_.mouse;
     const bool control = keyHeld(GLFW_KEY_LEFT_CONTROL) || keyHeld(GLFW_KEY_RIGHT_CONTROL);
     const auto axis = [&](int positive, int negative) {
         return control
@@ -146,9 +145,11 @@ Input Window::takeInput(float picture) {
     input_.walk = {axis(GLFW_KEY_D, GLFW_KEY_A), axis(GLFW_KEY_E, GLFW_KEY_Q),
                    axis(GLFW_KEY_W, GLFW_KEY_S)};
     input_.fast = keyHeld(GLFW_KEY_LEFT_SHIFT) || keyHeld(GLFW_KEY_RIGHT_SHIFT);
-    Input taken;
-    taken.held = input_.held;
-    std::swap(taken, input_);
+    Input taken = std::exchange(input_, {});
+    for (std::size_t button = 0; button < taken.drags.size(); ++button) {
+        input_.drags[button].held = taken.drags[button].held;
+        input_.drags[button].to = taken.drags[button].to;
+    }
     stirred_ = false;
     return taken;
 }

@@ -55,14 +55,15 @@ private:
     explicit Window(app::GlSession session);
     void watch();
     void pressButton(int button, bool down);
+    void extend(ButtonDrag& drag) const; ///< to where the mouse is
     bool keyHeld(int key) const;
     static Window& of(GLFWwindow* window);
 
     std::unique_ptr<app::GlSession> session_;
     GLFWwindow* window_ = nullptr;
-    Input input_;              ///< since the last takeInput()
-    float picture_ = 0.0F;     ///< mouse pixels
-    glm::vec2 dragFrom_{0.0F}; ///< where the mouse was at the last takeInput()
+    Input input_;           ///< since the last takeInput()
+    float picture_ = 0.0F;  ///< mouse pixels
+    glm::vec2 mouse_{0.0F}; ///< where the latest event saw it
     bool stirred_ = true;
 };
 

@@ -38,37 +38,37 @@ Result<BakeVertices> GpuBake::upload(int width, int height, const Facets* facets
     return BakeVertices::create(*gl, geometry, frame, width, height, facets);
 }
 
-Status GpuBake::addDirections(const DirectionPlan& plan, const BakeProgress& progress,
-                              const AddViews& add) const {
+Result<int> GpuBake::addDirections(const DirectionPlan& plan, const BakeProgress& progress,
+                                   const AddViews& add,
+                                   const std::function<bool(int done)>& goOn) const {
     std::vector<LightView> views;
     for (int first = plan.first; first < plan.last; first += plan.atOnce) {
         if (progress && !progress(double(first - plan.first) / double(plan.last - plan.first))) {
             return cancelledBake();
         }
         views.clear();
-        for (int i = first; i < std::min(first + plan.atOnce, plan.last); ++i) {
+        const int next = std::min(first + plan.atOnce, plan.last);
+        for (int i = first; i < next; ++i) {
             const auto index = static_cast<std::uint32_t>(i);
             const glm::dvec3 direction = lightDirection(plan.sky, geometry.up(), plan.seed, index);
             views.push_back(lightView(frame, direction, plan.pictureSize, plan.seed, index));
         }
-        const gl::StateGuard guard(*gl);
-        add(views);
-        gl->Finish();
+        {
+            const gl::StateGuard guard(*gl);
+            add(views);
+            gl->Finish();
+        }
+        if (goOn && !goOn(next - plan.first)) {
+            return next - plan.first;
+        }
     }
-    return {};
+    return plan.last - plan.first;
 }
 
 double cosineNorm(Sky sky, int directions) {
     // The sum is an average over a sphere's 4 pi, or a dome's 2 pi, times their number; a
     // hemisphere's cosines have the integral pi.
     return (sky == Sky::Sphere ? 4.0 : 2.0) / double(directions);
-}
-
-void setTexel(BakedMap& map, std::size_t texel, const glm::vec4& sum, double norm,
-              const glm::dvec3& normal) {
-    map.visibility[texel] = static_cast<float>(std::max(0.0, double{sum.w} * norm));
-    const float length = glm::length(glm::vec3(sum));
-    map.bentNormal[texel] = length > 0.0F ? glm::vec3(sum) / length : glm::vec3(normal);
 }
 
 } // namespace aolib::bake

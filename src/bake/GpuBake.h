@@ -44,20 +44,17 @@ struct GpuBake {
     /// The triangles, for maps of this size, with the numbers of their facets or without. Errors:
     /// OutOfMemory.
     Result<BakeVertices> upload(int width, int height, const Facets* facets) const;
-    /// Goes through all directions, giving the host its GL state and the word in between.
-    /// Errors: Cancelled.
-    Status addDirections(const DirectionPlan& plan, const BakeProgress& progress,
-                         const AddViews& add) const;
+    /// Goes through the directions, giving the host its GL state and the word in between.
+    /// @param goOn  told how many there are so far; false: they are enough.
+    /// @return how many there are. Errors: Cancelled.
+    Result<int> addDirections(const DirectionPlan& plan, const BakeProgress& progress,
+                              const AddViews& add,
+                              const std::function<bool(int done)>& goOn = {}) const;
 };
 
 /// Visibility per unit of summed cosines of all directions of a sky: a point that no direction is
 /// closed to gets 1, but for what the directions miss of the integral.
 double cosineNorm(Sky sky, int directions);
-
-/// Turns sums (weighed direction, weight) of texels into a map's values; W may yet exceed 1.
-/// @param norm  visibility per weight.
-void setTexel(BakedMap& map, std::size_t texel, const glm::vec4& sum, double norm,
-              const glm::dvec3& normal);
 
 /// Makes a baker of a GpuBake and its options. Errors: as createScatterBaker() says.
 template <typename Baker, typename Options>

@@ -89,6 +89,13 @@ BakedMap emptyMap(const TexelRaster& raster) {
     return map;
 }
 
+void setTexel(BakedMap& map, std::size_t texel, const glm::vec4& sum, double norm,
+              const glm::dvec3& normal) {
+    map.visibility[texel] = static_cast<float>(std::max(0.0, double{sum.w} * norm));
+    const float length = glm::length(glm::vec3(sum));
+    map.bentNormal[texel] = length > 0.0F ? glm::vec3(sum) / length : glm::vec3(normal);
+}
+
 void finish(BakedMap& map, const MapOptions& options) {
     dilate(map, options.padding);
     if (options.fill) {

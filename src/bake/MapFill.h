@@ -1,5 +1,9 @@
 #pragma once
 
+#include <cstddef>
+
+#include <glm/vec4.hpp>
+
 #include <aolib/bake/AbstractBaker.h>
 #include <aolib/bake/BakeOptions.h>
 
@@ -9,6 +13,11 @@ namespace aolib::bake {
 
 /// A map without values.
 BakedMap emptyMap(const TexelRaster& raster);
+
+/// Turns sums (weighed direction, weight) of a texel into its values; W may yet exceed 1.
+/// @param norm  visibility per weight.
+void setTexel(BakedMap& map, std::size_t texel, const glm::vec4& sum, double norm,
+              const glm::dvec3& normal);
 
 /// Padding and filling as the options say.
 void finish(BakedMap& map, const MapOptions& options);

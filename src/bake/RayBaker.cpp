@@ -68,21 +68,22 @@ bool RayBaker::traceGroups(std::size_t groups, const SampleRange& rays, const Fi
     return parallelLoop(groups, options_.threads, body, progress);
 }
 
-/// Adds what some of the rays find to a map's sums, from one place in each texel.
-bool RayBaker::addRays(const TexelReceivers& from, int number, const SampleRange& rays,
-                       BakedMap& map, const BakeProgress& progress) const {
-    const int across = (map.width + tileSide - 1) / tileSide;
-    const int along = (map.height + tileSide - 1) / tileSide;
+/// Adds what some of the rays find to a map's sums.
+Status RayBaker::addRays(const SampleRange& rays, int number, MapSums& map,
+                         const BakeProgress& progress) const {
+    const int width = map.receivers.raster().width();
+    const int height = map.receivers.raster().height();
+    const int across = (width + tileSide - 1) / tileSide;
+    const int along = (height + tileSide - 1) / tileSide;
     const auto fill = [&](std::size_t tile, Receiver* receivers) {
         std::size_t count = 0;
         const int left = static_cast<int>(tile % static_cast<std::size_t>(across)) * tileSide;
         const int bottom = static_cast<int>(tile / static_cast<std::size_t>(across)) * tileSide;
-        for (int y = bottom; y < std::min(bottom + tileSide, map.height); ++y) {
-            for (int x = left; x < std::min(left + tileSide, map.width); ++x) {
-                const auto texel =
-                    static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) +
-                    static_cast<std::size_t>(x);
-                if (const auto point = from.at(texel)) {
+        for (int y = bottom; y < std::min(bottom + tileSide, height); ++y) {
+            for (int x = left; x < std::min(left + tileSide, width); ++x) {
+                const auto texel = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                                   static_cast<std::size_t>(x);
+                if (const auto point = map.receivers.at(texel)) {
                     receivers[count++] = {
                         *point,
                         seedOf(number, static_cast<std::size_t>(x), static_cast<std::size_t>(y)),
@@ -93,41 +94,23 @@ bool RayBaker::addRays(const TexelReceivers& from, int number, const SampleRange
         return count;
     };
     const auto take = [&](const Receiver& receiver, const Openness& openness) {
-        map.visibility[receiver.place] += openness.visibility;
-        map.bentNormal[receiver.place] += openness.direction;
+        map.light[receiver.place] += glm::vec4(openness.direction, openness.visibility);
     };
-    return traceGroups(static_cast<std::size_t>(across) * static_cast<std::size_t>(along), rays,
-                       fill, take, progress);
-}
-
-Status RayBaker::bakeMap(TexelReceivers& receivers, int number, BakedMap& map,
-                         const BakeProgress& progress) const {
-    std::fill(map.visibility.begin(), map.visibility.end(), 0.0F);
-    const int places = receivers.placesFor(options_.rays, 1);
-    for (int place = 0; place < places; ++place) {
-        receivers.moveTo(place, places);
-        const auto share = [&](double fraction) { return progress((place + fraction) / places); };
-        if (!addRays(receivers, number, sampleRange(options_.rays, place, places), map, share)) {
-            return cancelledBake();
-        }
-    }
-    receivers.moveTo(0, 1);
-    for (std::size_t i = 0; i < map.visibility.size(); ++i) {
-        const std::optional<SurfacePoint> point = receivers.at(i);
-        map.visibility[i] =
-            point ? std::clamp(map.visibility[i] / float(options_.rays), 0.0F, 1.0F) : -1.0F;
-        map.bentNormal[i] = point ? unitOr(map.bentNormal[i], point->normal) : glm::vec3(0.0F);
-    }
-    return {};
+    const bool done =
+        traceGroups(static_cast<std::size_t>(across) * static_cast<std::size_t>(along), rays, fill,
+                    take, progress);
+    return done ? Status() : cancelledBake();
 }
 
 Result<std::vector<BakedMap>> RayBaker::bakeMaps(const MapOptions& options,
-                                                 const BakeProgress& progress) {
-    const auto bake = [this](TexelReceivers& receivers, int number, BakedMap& map,
-                             const BakeProgress& share) {
-        return bakeMap(receivers, number, map, share);
-    };
-    return bakeEachMap(geometry_, options, progress, bake);
+                                                 const BakeProgress& progress,
+                                                 const BakeWatch& watch) {
+    TexelMethod method;
+    method.samples = options_.rays;
+    method.norm = [](int rays) { return 1.0 / rays; };
+    method.add = [this](const SampleRange& rays, int number, MapSums& map,
+                        const BakeProgress& share) { return addRays(rays, number, map, share); };
+    return bakeInPasses(geometry_, options, method, progress, watch);
 }
 
 Result<std::vector<glm::vec4>> RayBaker::tracePoints(const std::vector<SurfacePoint>& points,

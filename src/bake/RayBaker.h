@@ -8,6 +8,7 @@
 
 #include "bake/BakeGeometry.h"
 #include "bake/HemisphereTracer.h"
+#include "bake/MapLoop.h"
 #include "bake/TexelReceivers.h"
 #include "bake/VertexWeld.h"
 #include "raytracing/RayScene.h"
@@ -20,8 +21,8 @@ public:
     RayBaker(BakeGeometry geometry, RayScene scene, const RayOptions& options)
         : geometry_(std::move(geometry)), rays_(std::move(scene)), options_(options) {}
 
-    Result<std::vector<BakedMap>> bakeMaps(const MapOptions& options,
-                                           const BakeProgress& progress) override;
+    Result<std::vector<BakedMap>> bakeMaps(const MapOptions& options, const BakeProgress& progress,
+                                           const BakeWatch& watch) override;
     Result<std::vector<BakedVertices>> bakeVertices(const VertexOptions& options,
                                                     const BakeProgress& progress) override;
 
@@ -32,9 +33,7 @@ private:
 
     bool traceGroups(std::size_t groups, const SampleRange& rays, const FillGroup& fill,
                      const TakeResult& take, const BakeProgress& progress) const;
-    bool addRays(const TexelReceivers& from, int number, const SampleRange& rays, BakedMap& map,
-                 const BakeProgress& progress) const;
-    Status bakeMap(TexelReceivers& receivers, int number, BakedMap& map,
+    Status addRays(const SampleRange& rays, int number, MapSums& map,
                    const BakeProgress& progress) const;
     /// W and direction of each point.
     /// @param sectors  null where nobody asks for them.

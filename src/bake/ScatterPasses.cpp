@@ -54,7 +54,7 @@ private:
 } // namespace
 
 Result<ScatterPasses> ScatterPasses::create(const gl::Functions& gl, const Settings& settings,
-                                            const std::vector<float>& facets) {
+                                            std::span<const float> facets) {
     ScatterPasses passes;
     passes.gl_ = &gl;
     passes.settings_ = settings;

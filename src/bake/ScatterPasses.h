@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -40,7 +41,7 @@ public:
     /// @param facets  per texel of the stack, from the bottom. Errors: ShaderError,
     /// MissingCapability, OutOfMemory.
     static Result<ScatterPasses> create(const gl::Functions& gl, const Settings& settings,
-                                        const std::vector<float>& facets);
+                                        std::span<const float> facets);
 
     /// Stage 1: what one direction lights.
     void drawSurface(const BakeVertices& vertices, const LightView& view);

@@ -32,12 +32,12 @@ Result<ShadowPasses> ShadowBaker::passesFor(const glm::ivec2& size) const {
     return ShadowPasses::create(*gpu_.gl, settings);
 }
 
-/// Adds what some of the directions light at receivers.
+/// Sums up what some of the directions light at receivers.
 Status ShadowBaker::add(ShadowPasses& passes, const BakeVertices& vertices, Receivers receivers,
                         const SampleRange& directions, const BakeProgress& progress) const {
     {
         const gl::StateGuard guard(*gpu_.gl);
-        passes.setReceivers(gpu_.frame, receivers);
+        passes.begin(gpu_.frame, receivers);
     }
     DirectionPlan plan;
     plan.first = directions.first;
@@ -46,9 +46,10 @@ Status ShadowBaker::add(ShadowPasses& passes, const BakeVertices& vertices, Rece
     plan.pictureSize = passes.depthSize();
     plan.sky = options_.sky;
     plan.seed = options_.seed;
-    return gpu_.addDirections(plan, progress, [&](std::span<const LightView> views) {
+    const auto add = [&](std::span<const LightView> views) {
         passes.addDirections(vertices, views);
-    });
+    };
+    return gpu_.addDirections(plan, progress, add).status();
 }
 
 std::vector<glm::vec4> ShadowBaker::sumsOf(const ShadowPasses& passes) const {
@@ -56,38 +57,9 @@ std::vector<glm::vec4> ShadowBaker::sumsOf(const ShadowPasses& passes) const {
     return passes.sums();
 }
 
-Status ShadowBaker::bakeMap(TexelReceivers& receivers, const BakeVertices& vertices, BakedMap& map,
-                            const BakeProgress& progress) const {
-    Result<ShadowPasses> passes = passesFor({map.width, map.height});
-    if (!passes) {
-        return passes.status();
-    }
-    std::vector<std::optional<SurfacePoint>> points(map.visibility.size());
-    const int places = receivers.placesFor(options_.directions, passes->mapsPerPass());
-    for (int place = 0; place < places; ++place) {
-        receivers.moveTo(place, places);
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            points[i] = receivers.at(i);
-        }
-        const auto share = [&](double fraction) { return progress((place + fraction) / places); };
-        const SampleRange directions = sampleRange(options_.directions, place, places);
-        if (Status status = add(*passes, vertices, points, directions, share); !status) {
-            return status;
-        }
-    }
-    const std::vector<glm::vec4> sums = sumsOf(*passes);
-    const double norm = cosineNorm(options_.sky, options_.directions);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        if (points[i]) {
-            setTexel(map, i, sums[i], norm, points[i]->normal);
-            map.visibility[i] = std::min(map.visibility[i], 1.0F);
-        }
-    }
-    return {};
-}
-
 Result<std::vector<BakedMap>> ShadowBaker::bakeMaps(const MapOptions& options,
-                                                    const BakeProgress& progress) try {
+                                                    const BakeProgress& progress,
+                                                    const BakeWatch& watch) try {
     if (Status status = check(options); !status) {
         return status;
     }
@@ -95,11 +67,29 @@ Result<std::vector<BakedMap>> ShadowBaker::bakeMaps(const MapOptions& options,
     if (!vertices) {
         return vertices.status();
     }
-    const auto bake = [&](TexelReceivers& receivers, int /*number*/, BakedMap& map,
-                          const BakeProgress& share) {
-        return bakeMap(receivers, *vertices, map, share);
+    Result<ShadowPasses> passes = passesFor({options.width, options.height});
+    if (!passes) {
+        return passes.status();
+    }
+    TexelMethod method;
+    method.samples = options_.directions;
+    method.least = passes->mapsPerPass();
+    method.norm = [this](int directions) { return cosineNorm(options_.sky, directions); };
+    method.add = [&](const SampleRange& directions, int /*number*/, MapSums& map,
+                     const BakeProgress& share) {
+        std::vector<std::optional<SurfacePoint>> points(map.light.size());
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            points[i] = map.receivers.at(i);
+        }
+        if (Status status = add(*passes, *vertices, points, directions, share); !status) {
+            return status;
+        }
+        const std::vector<glm::vec4> sums = sumsOf(*passes);
+        std::transform(sums.begin(), sums.end(), map.light.begin(), map.light.begin(),
+                       [](const glm::vec4& a, const glm::vec4& b) { return a + b; });
+        return Status();
     };
-    return bakeEachMap(gpu_.geometry, options, progress, bake);
+    return bakeInPasses(gpu_.geometry, options, method, progress, watch);
 } catch (const std::bad_alloc&) {
     return noMemoryForMaps(options);
 }

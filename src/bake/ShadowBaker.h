@@ -7,6 +7,7 @@
 #include <aolib/bake/AbstractBaker.h>
 
 #include "bake/GpuBake.h"
+#include "bake/MapLoop.h"
 #include "bake/ShadowPasses.h"
 #include "bake/TexelReceivers.h"
 
@@ -18,8 +19,8 @@ public:
     ShadowBaker(GpuBake gpu, const ShadowOptions& options)
         : gpu_(std::move(gpu)), options_(options) {}
 
-    Result<std::vector<BakedMap>> bakeMaps(const MapOptions& options,
-                                           const BakeProgress& progress) override;
+    Result<std::vector<BakedMap>> bakeMaps(const MapOptions& options, const BakeProgress& progress,
+                                           const BakeWatch& watch) override;
     Result<std::vector<BakedVertices>> bakeVertices(const VertexOptions& options,
                                                     const BakeProgress& progress) override;
 
@@ -32,8 +33,6 @@ private:
     std::vector<glm::vec4> sumsOf(const ShadowPasses& passes) const;
     Result<std::vector<glm::vec4>> valuesAt(const std::vector<SurfacePoint>& points,
                                             const BakeProgress& progress) const;
-    Status bakeMap(TexelReceivers& receivers, const BakeVertices& vertices, BakedMap& map,
-                   const BakeProgress& progress) const;
 
     GpuBake gpu_;
     ShadowOptions options_;

@@ -60,17 +60,14 @@ Result<ShadowPasses> ShadowPasses::create(const gl::Functions& gl, const Setting
          gl::TextureStack::create(
              gl, {settings.size.x, settings.size.y, 3, Format::RGBA32F, "aolib/bake/receivers"}));
     keep(passes.fullscreen_, gl::VertexArray::createEmpty(gl, "aolib/bake/fullscreen"));
-    if (!status) {
-        return status;
-    }
-    passes.sums_.begin(0);
-    const glm::vec4 nothing(0.0F);
-    gl.ClearBufferfv(GL_COLOR, 0, glm::value_ptr(nothing));
-    return passes;
+    return status ? Result<ShadowPasses>(std::move(passes)) : status;
 }
 
-void ShadowPasses::setReceivers(const BakeFrame& frame,
-                                std::span<const std::optional<SurfacePoint>> receivers) {
+void ShadowPasses::begin(const BakeFrame& frame,
+                         std::span<const std::optional<SurfacePoint>> receivers) {
+    sums_.begin(0);
+    const glm::vec4 nothing(0.0F);
+    gl_->ClearBufferfv(GL_COLOR, 0, glm::value_ptr(nothing));
     std::vector<glm::vec4> layer(receivers.size());
     for (int number = 0; number < 3; ++number) {
         for (std::size_t i = 0; i < receivers.size(); ++i) {

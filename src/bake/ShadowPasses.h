@@ -35,10 +35,9 @@ public:
     /// Errors: ShaderError, MissingCapability, OutOfMemory.
     static Result<ShadowPasses> create(const gl::Functions& gl, const Settings& settings);
 
-    /// What the next directions light.
+    /// Begins new sums: of what the next directions light.
     /// @param receivers  row by row; nothing where there is none.
-    void setReceivers(const BakeFrame& frame,
-                      std::span<const std::optional<SurfacePoint>> receivers);
+    void begin(const BakeFrame& frame, std::span<const std::optional<SurfacePoint>> receivers);
 
     int mapsPerPass() const { return settings_.mapsPerPass; }
     int depthSize() const { return settings_.depthSize; }

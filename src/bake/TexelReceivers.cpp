@@ -15,8 +15,8 @@ SampleRange sampleRange(int count, int place, int places) {
 
 TexelReceivers::TexelReceivers(const BakeGeometry& geometry, const Facets& facets, int map,
                                const MapOptions& options)
-    : geometry_(geometry), facets_(facets), map_(map), most_(options.texelSamples),
-      wanted_(options.wanted), centres_(geometry.scene(), map, options.width, options.height),
+    : geometry_(&geometry), facets_(&facets), map_(map), most_(options.texelSamples),
+      wanted_(&options.wanted), centres_(geometry.scene(), map, options.width, options.height),
       triangle_(centres_.size()), barycentric_(centres_.size()) {
     moveTo(0, 1);
 }
@@ -34,7 +34,7 @@ void TexelReceivers::moveTo(int place, int places) {
         // Sobol's points lie at the lower left of their cells.
         const glm::dvec2 corner =
             glm::dvec2(bitReversed(index), bitReversed(sobolSecond(index))) * 0x1p-32;
-        take(TexelRaster(geometry_.scene(), map_, centres_.width(), centres_.height(),
+        take(TexelRaster(geometry_->scene(), map_, centres_.width(), centres_.height(),
                          corner + 0.5 / double(places)),
              true);
     }
@@ -42,12 +42,12 @@ void TexelReceivers::moveTo(int place, int places) {
 
 /// @param inFacet  only of texels that show a triangle of the same facet as at their centre.
 void TexelReceivers::take(const TexelRaster& raster, bool inFacet) {
-    const BakeScene& scene = geometry_.scene();
+    const BakeScene& scene = geometry_->scene();
     for (std::size_t i = 0; i < raster.size(); ++i) {
         const bool fits = !inFacet || (raster.kind(i) == TexelKind::Inside &&
                                        centres_.kind(i) != TexelKind::Empty &&
-                                       facets_.ofTriangle(scene, raster.triangle(i)) ==
-                                           facets_.ofTriangle(scene, centres_.triangle(i)));
+                                       facets_->ofTriangle(scene, raster.triangle(i)) ==
+                                           facets_->ofTriangle(scene, centres_.triangle(i)));
         if (fits) {
             triangle_[i] = raster.triangle(i);
             barycentric_[i] = raster.barycentric(i);
@@ -55,12 +55,24 @@ void TexelReceivers::take(const TexelRaster& raster, bool inFacet) {
     }
 }
 
+bool TexelReceivers::has(std::size_t texel) const {
+    return centres_.kind(texel) != TexelKind::Empty && (wanted_->empty() || (*wanted_)[texel] != 0);
+}
+
 std::optional<SurfacePoint> TexelReceivers::at(std::size_t texel) const {
-    if (centres_.kind(texel) == TexelKind::Empty || (!wanted_.empty() && wanted_[texel] == 0)) {
+    if (!has(texel)) {
         return std::nullopt;
     }
     const glm::vec2& b = barycentric_[texel];
-    return geometry_.point(triangle_[texel], double{b.x}, double{b.y});
+    return geometry_->point(triangle_[texel], double{b.x}, double{b.y});
+}
+
+std::optional<SurfacePoint> TexelReceivers::centre(std::size_t texel) const {
+    if (!has(texel)) {
+        return std::nullopt;
+    }
+    const glm::vec2& b = centres_.barycentric(texel);
+    return geometry_->point(centres_.triangle(texel), double{b.x}, double{b.y});
 }
 
 } // namespace aolib::bake

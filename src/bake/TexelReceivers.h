@@ -41,15 +41,18 @@ public:
     /// The place in a texel; where that shows another facet or none, the place before it that did
     /// not, at last the receiver at the centre. Nothing where the texel is empty or not wanted.
     std::optional<SurfacePoint> at(std::size_t texel) const;
+    /// The receiver at its centre, wherever texels are looked at from.
+    std::optional<SurfacePoint> centre(std::size_t texel) const;
 
 private:
+    bool has(std::size_t texel) const;
     void take(const TexelRaster& raster, bool inFacet);
 
-    const BakeGeometry& geometry_;
-    const Facets& facets_;
+    const BakeGeometry* geometry_;
+    const Facets* facets_;
     int map_;
     int most_;
-    const std::vector<std::uint8_t>& wanted_; ///< empty for all
+    const std::vector<std::uint8_t>* wanted_; ///< empty for all
     TexelRaster centres_;
     /// Per texel that is not empty: triangle and weights of its second and third vertex.
     std::vector<TriangleName> triangle_;

@@ -30,6 +30,8 @@ public:
     virtual Status bake(bake::AbstractBaker& baker, const bake::BakeProgress& progress) = 0;
     /// Puts the values into the model and into files. Gives a table for people.
     virtual Outcome<std::string> put(OutputFiles& files) = 0;
+    /// All files have been written.
+    virtual void succeed() {}
 };
 
 } // namespace aolib::app

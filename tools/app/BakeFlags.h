@@ -26,6 +26,8 @@ struct BakeFlags {
     std::string out;
     std::string ao;
     std::string bentNormals;
+    std::string watch;    ///< picture of the map so far
+    double seconds = 0.0; ///< after which the bake is ended; 0: never
     BakeMethod method = BakeMethod::Rays;
     BakeTarget target = BakeTarget::Texture;
     Unwrap unwrap = Unwrap::Auto;

@@ -156,6 +156,9 @@ std::unique_ptr<AbstractBakeDestination> Job::destination() {
 Outcome<std::string> Job::run() {
     progress_.begin(input_.name + ": looking at it");
     OutputFiles files;
+    if ((!flags_.watch.empty() || flags_.seconds > 0.0) && flags_.target != BakeTarget::Texture) {
+        return badInput("--watch and --seconds go with --target texture");
+    }
     const std::unique_ptr<AbstractBakeDestination> goal = destination();
     if (MaybeFailure failure = goal->prepare(files)) {
         return *failure;
@@ -180,6 +183,7 @@ Outcome<std::string> Job::run() {
     if (MaybeFailure failure = commit(files)) {
         return *failure;
     }
+    goal->succeed();
     return table;
 }
 

@@ -35,7 +35,8 @@ MaybeFailure BakeToTexture::prepare(OutputFiles& files) {
     plans_ = std::move(*plans);
     for (std::size_t i = 0; i < plans_.size(); ++i) {
         for (const auto& [option, file] :
-             {std::pair("--ao", &flags_.ao), std::pair("--bent-normals", &flags_.bentNormals)}) {
+             {std::pair("--ao", &flags_.ao), std::pair("--bent-normals", &flags_.bentNormals),
+              std::pair("--watch", &flags_.watch)}) {
             if (file->empty()) {
                 continue;
             }
@@ -49,12 +50,23 @@ MaybeFailure BakeToTexture::prepare(OutputFiles& files) {
 }
 
 Status BakeToTexture::bake(bake::AbstractBaker& baker, const bake::BakeProgress& progress) {
-    Result<std::vector<bake::BakedMap>> baked = baker.bakeMaps(flags_.map, progress);
+    std::vector<std::filesystem::path> pictures;
+    for (std::size_t i = 0; i < plans_.size() && !flags_.watch.empty(); ++i) {
+        pictures.push_back(mapFile(flags_.watch, i));
+    }
+    preview_.emplace(flags_, std::move(pictures));
+    Result<std::vector<bake::BakedMap>> baked =
+        baker.bakeMaps(flags_.map, progress,
+                       [this](bake::AbstractMapsSoFar& soFar) { return preview_->goesOn(soFar); });
     if (!baked) {
         return baked.status();
     }
     maps_ = std::move(*baked);
     return {};
+}
+
+void BakeToTexture::succeed() {
+    preview_->keep();
 }
 
 /// "map.png", or "map-NAME.png" where there are several.
@@ -88,6 +100,13 @@ void BakeToTexture::putMap(OutputFiles& files, std::size_t number) {
 }
 
 Outcome<std::string> BakeToTexture::put(OutputFiles& files) {
+    MaybeFailure failure = preview_->failure();
+    if (!failure) {
+        failure = preview_->write(maps_);
+    }
+    if (failure) {
+        return *failure;
+    }
     Table table({"map", "triangles", "texels", "shared", "charts", "mean W"});
     std::vector<std::string> remarks{"UVs"};
     for (std::size_t i = 0; i < plans_.size(); ++i) {
@@ -101,7 +120,7 @@ Outcome<std::string> BakeToTexture::put(OutputFiles& files) {
         remarks.push_back("TEXCOORD_" + std::to_string(plan.uvSet) +
                           (plan.charts > 0 ? ", our own: " + plan.given.sentence() : ""));
     }
-    return table.text(remarks);
+    return preview_->remark() + table.text(remarks);
 }
 
 } // namespace aolib::app

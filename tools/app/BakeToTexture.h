@@ -1,12 +1,14 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "app/BakeDestination.h"
 #include "app/BakeFlags.h"
 #include "app/BakeInput.h"
 #include "app/BakePlan.h"
+#include "app/BakePreview.h"
 
 namespace aolib::app {
 
@@ -19,6 +21,7 @@ public:
     MaybeFailure prepare(OutputFiles& files) override;
     Status bake(bake::AbstractBaker& baker, const bake::BakeProgress& progress) override;
     Outcome<std::string> put(OutputFiles& files) override;
+    void succeed() override;
 
 private:
     std::filesystem::path mapFile(const std::string& file, std::size_t number) const;
@@ -28,6 +31,7 @@ private:
     const BakeFlags& flags_;
     std::vector<PlannedMap> plans_;
     std::vector<bake::BakedMap> maps_;
+    std::optional<BakePreview> preview_;
 };
 
 } // namespace aolib::app

@@ -11,12 +11,14 @@
 #include <aolib/BakeExport.h>
 #include <aolib/ProcAddressLoader.h>
 #include <aolib/Status.h>
+#include <aolib/bake/AbstractMapsSoFar.h>
 #include <aolib/bake/BakeOptions.h>
 #include <aolib/bake/BakeScene.h>
 
 namespace aolib::bake {
 
-/// Told the share that is done, 0 to 1; returning false cancels. Called from the calling thread.
+/// Told the share that is done, 0 to 1; returning false cancels: nothing is given. Called from the
+/// calling thread.
 using BakeProgress = std::function<bool(double fraction)>;
 
 /// What a texel of a map stands on.
@@ -64,8 +66,13 @@ public:
     /// All maps of the scene, by number; the map of a number that no surface has is empty.
     /// Errors: InvalidOption, OutOfMemory, Cancelled, InvalidPosition where no triangle of the
     /// scene has usable UVs.
-    virtual Result<std::vector<BakedMap>> bakeMaps(const MapOptions& options,
-                                                   const BakeProgress& progress) = 0;
+    /// @param watch  is shown the maps while they come about, and may end the bake early.
+    virtual Result<std::vector<BakedMap>>
+    bakeMaps(const MapOptions& options, const BakeProgress& progress, const BakeWatch& watch) = 0;
+    Result<std::vector<BakedMap>> bakeMaps(const MapOptions& options,
+                                           const BakeProgress& progress) {
+        return bakeMaps(options, progress, {});
+    }
 
     /// The vertices of all surfaces, in their order. Surfaces that only occlude get none.
     /// Errors: InvalidOption, MissingCapability (the method does not have this fit), OutOfMemory,

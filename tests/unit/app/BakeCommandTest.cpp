@@ -1,19 +1,7 @@
 #include <algorithm>
-#include <chrono>
-#include <csignal>
-#include <cstring>
-#include <fstream>
-#include <thread>
-#include <utility>
+#include <filesystem>
 
-#include <fcntl.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <nlohmann/json.hpp>
-
-#include "Program.h"
+#include "BakeProgramTest.h"
 #include "content/SceneSource.h"
 #include "image/Pfm.h"
 #include "image/Png.h"
@@ -21,71 +9,7 @@
 namespace aolib::test {
 namespace {
 
-using Json = nlohmann::json;
-
-class BakeCommandTest : public ProgramTest {
-protected:
-    void expectDone(const std::vector<std::string>& arguments) const {
-        const ProgramRun done = run(arguments);
-        EXPECT_EQ(done.exitCode, 0) << done.err;
-    }
-    void expectRefused(const std::vector<std::string>& arguments,
-                       const std::vector<std::string>& words) const {
-        const auto before = names();
-        const ProgramRun refused = run(arguments);
-        EXPECT_EQ(refused.exitCode, 2) << refused.out << refused.err;
-        for (const std::string& word : words) {
-            EXPECT_NE(refused.err.find(word), std::string::npos) << refused.err;
-        }
-        EXPECT_EQ(names(), before);
-    }
-    Json jsonOf(const std::string& name) const {
-        const std::string bytes = bytesOf(name);
-        std::uint32_t length = 0;
-        std::memcpy(&length, &bytes.at(12), 4);
-        return Json::parse(bytes.substr(20, length));
-    }
-    /// Runs the program within a limit of the system's. Gives its exit code and what it said.
-    std::pair<int, std::string> runLimited(int resource, rlim_t limit,
-                                           std::vector<std::string> arguments) const {
-        int ends[2] = {};
-        EXPECT_EQ(pipe(ends), 0);
-        const pid_t child = fork();
-        if (child == 0) {
-            const rlimit both{limit, limit};
-            std::signal(SIGXFSZ, SIG_IGN);
-            dup2(ends[1], STDOUT_FILENO);
-            dup2(ends[1], STDERR_FILENO);
-            close(ends[0]);
-            close(ends[1]);
-            std::vector<char*> words{const_cast<char*>(AOLIB_PROGRAM)};
-            for (std::string& argument : arguments) {
-                words.push_back(argument.data());
-            }
-            words.push_back(nullptr);
-            if (chdir(path(".").c_str()) == 0 && setrlimit(resource, &both) == 0) {
-                execv(AOLIB_PROGRAM, words.data());
-            }
-            _exit(127);
-        }
-        close(ends[1]);
-        std::string said;
-        char buffer[512];
-        for (ssize_t n = read(ends[0], buffer, sizeof(buffer)); n > 0;
-             n = read(ends[0], buffer, sizeof(buffer))) {
-            said.append(buffer, static_cast<std::size_t>(n));
-        }
-        close(ends[0]);
-        int status = 0;
-        EXPECT_EQ(waitpid(child, &status, 0), child);
-        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, said};
-    }
-    /// The middle of a map's part, given in shares of its sides.
-    static float at(const FloatImage& map, float u, float v) {
-        return map.at(static_cast<int>(u * float(map.width)),
-                      static_cast<int>(v * float(map.height)));
-    }
-};
+class BakeCommandTest : public BakeProgramTest {};
 
 TEST_F(BakeCommandTest, ATextureGoesIntoTheMaterialAndIntoFiles) {
     expectDone({"bake", "uv-shapes", "-o", "out.glb", "--ao", "ao.pfm", "--bent-normals",
@@ -239,78 +163,6 @@ TEST_F(BakeCommandTest, TheBenchGoesOnWhereItWasStopped) {
     const std::string after = bytesOf("made/bake.csv");
     EXPECT_EQ(after.substr(0, before.size()), before);
     EXPECT_NE(after.find("\nuv-box,192,16,rays,8,"), std::string::npos) << after;
-}
-
-TEST_F(BakeCommandTest, WhatCannotBeUsedIsRefused) {
-    expectRefused({"bake", "uv-box"}, {"--out", "needed"});
-    expectRefused({"bake", "nothing", "-o", "a.glb"}, {"nothing", "uv-shapes"});
-    expectRefused({"bake", "uv-box", "-o", "a.obj"}, {"--out", ".glb"});
-    expectRefused({"bake", "uv-box", "-o", "a.glb", "--rays", "0"}, {"--rays"});
-    expectRefused({"bake", "uv-box", "-o", "a.glb", "--ground", "deep"}, {"--ground"});
-    expectRefused({"bake", "uv-box", "-o", "a.glb", "--target", "vertex", "--ao", "a.png"},
-                  {"--target vertex"});
-    expectRefused({"bake", "uv-box", "-o", "a.glb", "--target", "vertex", "--density", "0"},
-                  {"density"});
-    write("cut.glb", std::string("glTF\2\0\0\0\377\0\0\0", 12));
-    expectRefused({"bake", "cut.glb", "-o", "a.glb"}, {"cut.glb"});
-}
-
-/// Whether a process has a handler for a signal, as Linux tells of it.
-bool catches(pid_t process, int signal) {
-    std::ifstream status("/proc/" + std::to_string(process) + "/status");
-    for (std::string line; std::getline(status, line);) {
-        if (line.starts_with("SigCgt:")) {
-            return (std::stoull(line.substr(7), nullptr, 16) >> (signal - 1) & 1U) != 0;
-        }
-    }
-    return false;
-}
-
-TEST_F(BakeCommandTest, CtrlCLeavesNothingBehind) {
-    const pid_t child = fork();
-    if (child == 0) {
-        const int nowhere = open("/dev/null", O_WRONLY);
-        dup2(nowhere, STDOUT_FILENO);
-        dup2(nowhere, STDERR_FILENO);
-        if (chdir(path(".").c_str()) == 0) {
-            execl(AOLIB_PROGRAM, AOLIB_PROGRAM, "bake", "uv-shapes", "-o", "out.glb", "--ao",
-                  "ao.png", "--rays", "50000", static_cast<char*>(nullptr));
-        }
-        _exit(127);
-    }
-    ASSERT_GT(child, 0);
-    for (int ms = 0; !catches(child, SIGINT) && ms < 60000; ++ms) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    std::this_thread::sleep_for(std::chrono::seconds(1)); // the bake itself takes hours
-    kill(child, SIGINT);
-    int status = 0;
-    ASSERT_EQ(waitpid(child, &status, 0), child);
-    EXPECT_TRUE(WIFEXITED(status)) << "it was killed and had no chance to clean up";
-    EXPECT_EQ(WEXITSTATUS(status), 1);
-    EXPECT_EQ(names(), std::vector<std::string>());
-}
-
-#if !defined(__SANITIZE_ADDRESS__) // which maps more than any limit
-TEST_F(BakeCommandTest, WithoutMemoryNothingIsWrittenAndASentenceSaysSo) {
-    for (const char* method : {"rays", "scatter", "shadow"}) {
-        const auto [code, said] = runLimited(
-            RLIMIT_AS, rlim_t{1500} << 20U,
-            {"bake", "uv-shapes", "-o", "out.glb", "--size", "16384", "--method", method});
-        EXPECT_EQ(code, 1) << method;
-        EXPECT_NE(said.find("no memory left"), std::string::npos) << said;
-        EXPECT_EQ(names(), std::vector<std::string>()) << method;
-    }
-}
-#endif
-
-TEST_F(BakeCommandTest, AFullDiskLeavesNothingBehind) {
-    const auto [code, said] = runLimited(
-        RLIMIT_FSIZE, 2048,
-        {"bake", "uv-shapes", "-o", "out.glb", "--ao", "ao.png", "--size", "128", "--rays", "2"});
-    EXPECT_EQ(code, 1);
-    EXPECT_NE(said.find("cannot be written"), std::string::npos) << said;
-    EXPECT_EQ(names(), std::vector<std::string>());
 }
 
 TEST_F(BakeCommandTest, RealModelsKeepTheirOwnUvs) {

@@ -114,6 +114,10 @@ Status noMemoryForMaps(const MapOptions& options) {
                                          " x " + std::to_string(options.height) + " texels"};
 }
 
+Status noMemoryForView() {
+    return {StatusCode::OutOfMemory, "no memory left for the view's pixels"};
+}
+
 Result<std::vector<BakedMap>> bakeInPasses(const BakeGeometry& geometry, const MapOptions& options,
                                            const TexelMethod& method, const BakeProgress& progress,
                                            const BakeWatch& watch) try {

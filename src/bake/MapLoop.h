@@ -45,5 +45,6 @@ Result<std::vector<BakedMap>> bakeInPasses(const BakeGeometry& geometry, const M
 Status cancelledBake();
 Status noTexels();
 Status noMemoryForMaps(const MapOptions& options);
+Status noMemoryForView();
 
 } // namespace aolib::bake

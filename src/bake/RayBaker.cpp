@@ -11,6 +11,7 @@
 #include "bake/CheckOptions.h"
 #include "bake/MapLoop.h"
 #include "bake/VertexFitting.h"
+#include "bake/ViewReceivers.h"
 #include "reference/ParallelLoop.h"
 
 namespace aolib::bake {
@@ -163,6 +164,17 @@ Result<std::vector<BakedVertices>> RayBaker::bakeVertices(const VertexOptions& o
     return unweldedVertices(geometry_, weld, *values, sectors);
 } catch (const std::bad_alloc&) {
     return Status(StatusCode::OutOfMemory, "no memory left for the values of vertices");
+}
+
+Result<BakedMap> RayBaker::bakeView(const ViewPixels& view, const BakeProgress& progress) try {
+    const Result<std::vector<SurfacePoint>> points = receiversOf(view);
+    if (!points) {
+        return points.status();
+    }
+    const Result<std::vector<glm::vec4>> values = tracePoints(*points, nullptr, progress);
+    return values ? Result<BakedMap>(pictureOf(view, *values)) : values.status();
+} catch (const std::bad_alloc&) {
+    return noMemoryForView();
 }
 
 Result<std::unique_ptr<AbstractBaker>> createRayBaker(BakeScene scene,

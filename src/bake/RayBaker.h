@@ -25,6 +25,7 @@ public:
                                            const BakeWatch& watch) override;
     Result<std::vector<BakedVertices>> bakeVertices(const VertexOptions& options,
                                                     const BakeProgress& progress) override;
+    Result<BakedMap> bakeView(const ViewPixels& view, const BakeProgress& progress) override;
 
 private:
     /// Fills up to `HemisphereTracer::capacity` receivers of a group, and says how many.

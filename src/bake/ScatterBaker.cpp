@@ -139,6 +139,13 @@ Result<std::vector<BakedVertices>> ScatterBaker::bakeVertices(const VertexOption
     return Status(StatusCode::OutOfMemory, "no memory left for the values of vertices");
 }
 
+Result<BakedMap> ScatterBaker::bakeView(const ViewPixels& /*view*/,
+                                        const BakeProgress& /*progress*/) {
+    return Status(StatusCode::MissingCapability,
+                  "points are scattered into maps and among vertices, which are the model's own: "
+                  "rays and shadow maps ask from a view's pixels");
+}
+
 Result<std::unique_ptr<AbstractBaker>> createScatterBaker(const ProcAddressLoader& loader,
                                                           BakeScene scene,
                                                           const ScatterOptions& options) {

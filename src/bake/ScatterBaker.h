@@ -21,6 +21,7 @@ public:
                                            const BakeWatch& watch) override;
     Result<std::vector<BakedVertices>> bakeVertices(const VertexOptions& options,
                                                     const BakeProgress& progress) override;
+    Result<BakedMap> bakeView(const ViewPixels& view, const BakeProgress& progress) override;
 
 private:
     Status sumVertices(VertexSums& sums, const BakeProgress& progress) const;

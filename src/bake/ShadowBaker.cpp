@@ -9,6 +9,7 @@
 #include "bake/MapLoop.h"
 #include "bake/VertexFitting.h"
 #include "bake/VertexWeld.h"
+#include "bake/ViewReceivers.h"
 #include "gl/StateGuard.h"
 
 namespace aolib::bake {
@@ -109,6 +110,9 @@ Result<std::vector<glm::vec4>> ShadowBaker::valuesAt(const std::vector<SurfacePo
         return Status(StatusCode::MissingCapability,
                       std::to_string(points.size()) + " places are more than a texture holds");
     }
+    if (points.empty()) {
+        return std::vector<glm::vec4>();
+    }
     std::vector<std::optional<SurfacePoint>> receivers(points.begin(), points.end());
     receivers.resize(rows * std::size_t(columns));
     Result<ShadowPasses> passes = passesFor({columns, static_cast<int>(rows)});
@@ -147,6 +151,20 @@ Result<std::vector<BakedVertices>> ShadowBaker::bakeVertices(const VertexOptions
     return unweldedVertices(gpu_.geometry, weld, *values);
 } catch (const std::bad_alloc&) {
     return Status(StatusCode::OutOfMemory, "no memory left for the values of vertices");
+}
+
+Result<BakedMap> ShadowBaker::bakeView(const ViewPixels& view, const BakeProgress& progress) try {
+    const Result<std::vector<SurfacePoint>> points = receiversOf(view);
+    if (!points) {
+        return points.status();
+    }
+    const Result<std::vector<glm::vec4>> values = valuesAt(*points, progress);
+    if (values && progress) {
+        progress(1.0);
+    }
+    return values ? Result<BakedMap>(pictureOf(view, *values)) : values.status();
+} catch (const std::bad_alloc&) {
+    return noMemoryForView();
 }
 
 Result<std::unique_ptr<AbstractBaker>>

@@ -23,6 +23,7 @@ public:
                                            const BakeWatch& watch) override;
     Result<std::vector<BakedVertices>> bakeVertices(const VertexOptions& options,
                                                     const BakeProgress& progress) override;
+    Result<BakedMap> bakeView(const ViewPixels& view, const BakeProgress& progress) override;
 
 private:
     using Receivers = std::span<const std::optional<SurfacePoint>>;

@@ -56,14 +56,16 @@ void addBakeCommand(CLI::App& program, MaybeFailure& failure) {
     CLI::App* command =
         program.add_subcommand("bake", "compute occlusion once, into textures or vertices");
     flags->attach(*command);
-    command->footer("Examples:\n"
-                    "  aolib bake helmet.glb -o out.glb\n"
-                    "  aolib bake helmet.glb -o out.glb --size 2048 --rays 1024 --radius 10%\n"
-                    "  aolib bake bunny.glb -o out.glb --target vertex --fit least-squares\n"
-                    "  aolib bake uv-shapes --ao ao.png --bent-normals bent.png\n"
-                    "  aolib bake helmet.glb -o out.glb --method scatter --directions 1024\n"
-                    "  aolib bake models/*.glb -o folder\n"
-                    "Ctrl-C stops it, and nothing half done is written.");
+    command->footer(
+        "Examples:\n"
+        "  aolib bake helmet.glb -o out.glb\n"
+        "  aolib bake helmet.glb -o out.glb --size 2048 --rays 1024 --radius 10%\n"
+        "  aolib bake bunny.glb -o out.glb --target vertex --fit least-squares\n"
+        "  aolib bake uv-shapes --ao ao.png --bent-normals bent.png\n"
+        "  aolib bake helmet.glb -o out.glb --method scatter --directions 1024\n"
+        "  aolib bake cornell --target camera --camera front --ao ao.png --method shadow\n"
+        "  aolib bake models/*.glb -o folder\n"
+        "Ctrl-C stops it, and nothing half done is written.");
     command->callback([flags, &failure] { failure = bakeAll(*flags); });
 }
 

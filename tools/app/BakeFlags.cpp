@@ -175,6 +175,17 @@ void attachWatching(BakeFlags& flags, CLI::App& command) {
         ->group(group);
 }
 
+void attachCamera(BakeFlags& flags, CLI::App& command) {
+    const char* const group = "Camera";
+    command.add_option("--camera", flags.camera, "by name, for --target camera")
+        ->type_name("NAME")
+        ->group(group);
+    addWholeNumber(command, "--width", 1, 16384, flags.width, "of its picture, pixels")
+        ->group(group);
+    addWholeNumber(command, "--height", 1, 16384, flags.height, "of its picture, pixels")
+        ->group(group);
+}
+
 void attachPoses(BakeFlags& flags, CLI::App& command) {
     const char* const group = "Poses";
     const auto takeTimes = [&flags](const std::string& text) {
@@ -223,13 +234,18 @@ void BakeFlags::attach(CLI::App& command) {
         "rays on the CPU; points scattered, or shadow maps, on the GPU")
         ->default_str("rays");
     addChoice<BakeTarget>(
-        command, "--target", {{"texture", BakeTarget::Texture}, {"vertex", BakeTarget::Vertex}},
-        [this](BakeTarget value) { target = value; }, "what the occlusion goes to")
+        command, "--target",
+        {{"texture", BakeTarget::Texture},
+         {"vertex", BakeTarget::Vertex},
+         {"camera", BakeTarget::Camera}},
+        [this](BakeTarget value) { target = value; },
+        "what the occlusion goes to; camera: a picture, to --ao")
         ->default_str("texture");
     attachPoses(*this, command);
     attachOutputs(*this, command);
     attachMaps(*this, command);
     attachWatching(*this, command);
+    attachCamera(*this, command);
     attachLight(*this, command);
     attachBakeMethods(*this, command);
     gl.attach(command);

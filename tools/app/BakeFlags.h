@@ -16,7 +16,7 @@ class App;
 namespace aolib::app {
 
 enum class BakeMethod { Rays, Scatter, Shadow };
-enum class BakeTarget { Texture, Vertex };
+enum class BakeTarget { Texture, Vertex, Camera };
 enum class Unwrap { Auto, Never, Always };
 enum class VertexAttribute { Ao, Color };
 
@@ -34,6 +34,9 @@ struct BakeFlags {
     VertexAttribute attribute = VertexAttribute::Ao;
     int bits = 8;
     int uvSet = -1;               ///< -1: the first that will do
+    std::string camera;           ///< by name; empty: the first
+    int width = 960;              ///< of its picture, pixels
+    int height = 540;             ///< pixels
     Length radius;                ///< 0: endless
     bake::RayOptions rays;        ///< its sky and seed are those of all methods
     bake::ScatterOptions scatter; ///< its directions are those of shadow maps, too

@@ -11,6 +11,7 @@
 #include "app/BakeToPoses.h"
 #include "app/BakeToTexture.h"
 #include "app/BakeToVertices.h"
+#include "app/BakeToView.h"
 #include "app/Interruption.h"
 #include "app/OutputFiles.h"
 
@@ -35,8 +36,10 @@ Failure bakeFailure(const std::string& subject, const Status& status) {
 
 class Job {
 public:
-    Job(BakeInput input, const BakeFlags& flags, std::string out, Progress& progress)
-        : input_(std::move(input)), flags_(flags), out_(std::move(out)), progress_(progress) {}
+    Job(BakeInput input, std::string model, const BakeFlags& flags, std::string out,
+        Progress& progress)
+        : input_(std::move(input)), model_(std::move(model)), flags_(flags), out_(std::move(out)),
+          progress_(progress) {}
 
     Outcome<std::string> run();
 
@@ -49,6 +52,7 @@ private:
     MaybeFailure commit(OutputFiles& files) const;
 
     BakeInput input_;
+    std::string model_;                ///< as it was given
     std::optional<GlSession> session_; ///< outlives bakers
     const BakeFlags& flags_;
     std::string out_;
@@ -150,6 +154,9 @@ std::unique_ptr<AbstractBakeDestination> Job::destination() {
     if (flags_.target == BakeTarget::Vertex) {
         return std::make_unique<BakeToVertices>(input_, flags_);
     }
+    if (flags_.target == BakeTarget::Camera) {
+        return std::make_unique<BakeToView>(input_, flags_, model_);
+    }
     return std::make_unique<BakeToTexture>(input_, flags_);
 }
 
@@ -197,7 +204,7 @@ Outcome<std::string> bakeModel(const std::string& input, const std::string& out,
         return opened.failure();
     }
     try {
-        return Job(std::move(*opened), flags, out, progress).run();
+        return Job(std::move(*opened), input, flags, out, progress).run();
     } catch (const std::bad_alloc&) {
         return Failure{ExitCode::Failed, input + ": no memory left; nothing was written"};
     } catch (const std::exception& error) {

@@ -14,6 +14,7 @@
 #include <aolib/bake/AbstractMapsSoFar.h>
 #include <aolib/bake/BakeOptions.h>
 #include <aolib/bake/BakeScene.h>
+#include <aolib/bake/ViewPixels.h>
 
 namespace aolib::bake {
 
@@ -79,6 +80,12 @@ public:
     /// Cancelled.
     virtual Result<std::vector<BakedVertices>> bakeVertices(const VertexOptions& options,
                                                             const BakeProgress& progress) = 0;
+
+    /// What a view shows, in its own pixels: W -1 and no bent normal where that is nothing. Places
+    /// are lit on the side of their normals, whichever side of the scene's surfaces that is.
+    /// Errors: InvalidOption (sizes, lift), InvalidPosition, InvalidNormal, MissingCapability
+    /// (scattering), OutOfMemory, Cancelled.
+    virtual Result<BakedMap> bakeView(const ViewPixels& view, const BakeProgress& progress) = 0;
 };
 
 /// A baker that traces rays on all cores with Embree.

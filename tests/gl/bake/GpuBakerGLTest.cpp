@@ -13,16 +13,6 @@ namespace {
 /// Bakers on the GPU against closed forms, in every kind of context.
 class GpuBakerGLTest : public GpuBakerFixture {};
 
-/// The wall reaches 4 beyond the floor to both sides, not further: pictures from the light hold all
-/// of it. Seen from the floor's middle its ends cover less than 1% of the hemisphere.
-BakeScene floorBesideShortWall() {
-    BakeScene scene = sceneOf(unitFloor(1));
-    UvMesh wall;
-    addUvQuad(wall, {0.0F, 0.0F, 3.5F}, {0.0F, 0.0F, -8.0F}, {0.0F, 0.5F, 0.0F}, 1);
-    scene.surfaces.push_back(surfaceOf(wall, -1));
-    return scene;
-}
-
 void expectWallsShadow(const BakedMap& map, double bound) {
     double sum = 0.0;
     int count = 0;

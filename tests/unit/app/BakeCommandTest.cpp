@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "BakeProgramTest.h"
@@ -126,6 +127,38 @@ TEST_F(BakeCommandTest, MethodsOnTheGpuGiveTheSameMap) {
                   {"LeastSquares fits them"});
     expectRefused({"bake", "uv-shapes", "-o", "w.glb", "--method", "shadow", "--radius", "1"},
                   {"--radius"});
+}
+
+TEST_F(BakeCommandTest, ACameraGetsAPicture) {
+    const std::vector<std::string> size{"--camera", "front", "--width", "48", "--height", "27"};
+    const auto with = [&](std::vector<std::string> arguments) {
+        arguments.insert(arguments.end(), size.begin(), size.end());
+        return arguments;
+    };
+    expectDone(with({"truth", "cornell", "--radius", "1000", "--rays", "256", "--normals", "given",
+                     "--out", "truth.pfm"}));
+    const auto truth = readPfm(path("truth.pfm"));
+    ASSERT_TRUE(truth);
+    for (const char* method : {"rays", "shadow"}) {
+        expectDone(
+            with({"bake", "cornell", "--target", "camera", "--method", method, "--directions",
+                  "128", "--depth-size", "512", "--ao", "ao.pfm", "--bent-normals", "bent.png"}));
+        const auto picture = readPfm(path("ao.pfm"));
+        ASSERT_TRUE(picture);
+        double sum = 0.0;
+        int shown = 0;
+        for (std::size_t i = 0; i < truth->pixels.size(); ++i) {
+            shown += truth->pixels[i] >= 0.0F ? 1 : 0;
+            sum += std::abs(double(picture->pixels[i]) - double(truth->pixels[i]));
+        }
+        EXPECT_GT(shown, 300);
+        EXPECT_LT(sum / shown, 0.02) << method << ", background -1 in both";
+    }
+    expectRefused(with({"bake", "cornell", "--target", "camera", "-o", "a.glb"}), {"--ao"});
+    expectRefused({"bake", "cornell", "--target", "camera", "--ao", "a.png", "--camera", "none"},
+                  {"--camera none", "front"});
+    expectRefused({"bake", "cornell", "--target", "camera", "--ao", "a.png", "--method", "scatter"},
+                  {"view's pixels"});
 }
 
 TEST_F(BakeCommandTest, ManyModelsGoToAFolder) {

@@ -31,6 +31,14 @@ BakeScene floorBesideWall(double height, int cells) {
     return scene;
 }
 
+BakeScene floorBesideShortWall() {
+    BakeScene scene = sceneOf(unitFloor(1));
+    UvMesh wall;
+    addUvQuad(wall, {0.0F, 0.0F, 3.5F}, {0.0F, 0.0F, -8.0F}, {0.0F, 0.5F, 0.0F}, 1);
+    scene.surfaces.push_back(surfaceOf(wall, -1));
+    return scene;
+}
+
 BakeScene openBesideClosedChart() {
     UvMesh open;
     addUvQuad(open, {0, 0, 0}, {1, 0, 0}, {0, 0, -1}, 1, {{0.0F, 0.0F}, {0.4F, 1.0F}});

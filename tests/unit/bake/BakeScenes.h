@@ -20,6 +20,10 @@ UvMesh unitFloor(int cells);
 /// said, so long that it counts as endless.
 BakeScene floorBesideWall(double height, int cells = 1);
 
+/// The wall reaches 4 beyond the floor to both sides, not further: pictures from the light hold all
+/// of it. Seen from the floor's middle its ends cover less than 1% of the hemisphere.
+BakeScene floorBesideShortWall();
+
 /// Two charts that meet at u = 0.4 of one map: the left one open, the right one closed by a lid.
 BakeScene openBesideClosedChart();
 

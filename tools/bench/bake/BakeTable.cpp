@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <iterator>
 #include <map>
 #include <set>
 #include <sstream>
@@ -39,13 +40,27 @@ constexpr std::array<PaperRow, 7> paperTable{{
     {654666, 9.3, 40.5, 18.7, 81.2},
 }};
 
-void addPaperCurves(int samples, std::vector<Curve>& curves) {
+Colour colourOf(BakeMethodName method) {
+    static const std::array<Colour, 4> colours{Colour{31, 119, 180}, Colour{214, 39, 40},
+                                               Colour{255, 152, 150}, Colour{44, 160, 44}};
+    return colours[static_cast<std::size_t>(method)];
+}
+
+/// The fewest samples are discs.
+Marker markerOf(std::size_t place) {
+    constexpr std::array<Marker, 4> markers{Marker::Disc, Marker::Square, Marker::Diamond,
+                                            Marker::TriangleUp};
+    return markers[std::min(place, markers.size() - 1)];
+}
+
+void addPaperCurves(int samples, Marker marker, std::vector<Curve>& curves) {
     if (samples != 512 && samples != 1024) {
         return;
     }
     const std::string end = ", " + std::to_string(samples) + " (2008, on a card)";
-    Curve scatter{"McGraw and Sowers: scatter" + end, {160, 160, 160}, Marker::Disc, {}};
-    Curve shadow{"McGraw and Sowers: shadow" + end, {90, 90, 90}, Marker::Square, {}};
+    Curve scatter{
+        "McGraw and Sowers: scatter" + end, colourOf(BakeMethodName::Scatter), marker, {}};
+    Curve shadow{"McGraw and Sowers: shadow" + end, colourOf(BakeMethodName::Shadow), marker, {}};
     scatter.dash = shadow.dash = 6.0;
     for (const PaperRow& row : paperTable) {
         scatter.points.push_back(
@@ -136,14 +151,21 @@ std::vector<BakeRow> rowsOfBakeCsv(const std::string& text) {
 }
 
 Plot bakePlot(const std::vector<BakeRow>& rows, const std::string& subtitle) {
-    static const std::array<Colour, 4> colours{Colour{31, 119, 180}, Colour{214, 39, 40},
-                                               Colour{255, 152, 150}, Colour{44, 160, 44}};
+    std::set<int> samples;
+    for (const BakeRow& row : rows) {
+        samples.insert(row.samples);
+    }
+    const auto marker = [&](int count) {
+        return markerOf(
+            static_cast<std::size_t>(std::distance(samples.begin(), samples.find(count))));
+    };
     std::map<std::pair<int, int>, Curve> curves;
     for (const BakeRow& row : rows) {
         const int method = static_cast<int>(row.method);
         Curve& curve = curves[{method, row.samples}];
         curve.name = std::string(bakeMethodName(row.method)) + ", " + std::to_string(row.samples);
-        curve.colour = colours[static_cast<std::size_t>(method)];
+        curve.colour = colourOf(row.method);
+        curve.marker = marker(row.samples);
         curve.points.push_back({double(row.triangles), row.processor, ""});
     }
     Plot plot;
@@ -151,15 +173,13 @@ Plot bakePlot(const std::vector<BakeRow>& rows, const std::string& subtitle) {
     plot.subtitle = subtitle;
     plot.x.title = "triangles";
     plot.y.title = "seconds";
-    std::set<int> samples;
     for (auto& [key, curve] : curves) {
         std::sort(curve.points.begin(), curve.points.end(),
                   [](const PlotPoint& a, const PlotPoint& b) { return a.x < b.x; });
-        samples.insert(key.second);
         plot.curves.push_back(std::move(curve));
     }
     for (const int count : samples) {
-        addPaperCurves(count, plot.curves);
+        addPaperCurves(count, marker(count), plot.curves);
     }
     return plot;
 }

@@ -7,11 +7,12 @@
 uniform sampler2DArray uCubeVisibility; // a layer per face that is kept
 uniform sampler2DArray uCubeDepth;      // coded depth along the face's axis; 0 where nothing is known
 uniform int uFaceSize;                  // texels
-// Tiles in which surfaces end are kept finer, as blocks of their own: read where AO_DETAIL is defined.
-// (A software rasteriser runs every branch: what a uniform switches off would cost all the same.)
-// Blocks lie in layers of the same textures.
+// Blocks, which tiles keep beside their texels: finer ones where surfaces end, or as fine ones of the
+// surfaces behind. Read where AO_BLOCKS is defined. (A software rasteriser runs every branch: what a
+// uniform switches off would cost all the same.) They lie in layers of the same textures.
 uniform sampler2DArray uPages; // a layer per face, a texel per tile: 1 + layer of its block, and where
                                // in the layer, x + 256 y in blocks; 0 where it has none
+uniform int uBlockScale;       // texels of blocks along a texel; 1: they are of the surfaces behind
 // Per cube map: from its centre to the eye (world units), and what its quality is multiplied by.
 uniform vec4 uCubeToEye[64];
 uniform vec4 uDepthCode[64]; // what codes of depth span, two unused
@@ -19,13 +20,16 @@ uniform vec4 uDepthCode[64]; // what codes of depth span, two unused
 uniform ivec4 uFaceLayers[64];
 
 const int kNoLayer = 0xFFFF;
-const int kTile = 32;        // texels along a tile's edge
-const int kDetailScale = 4;  // texels of detail along a texel
-const int kBlock = kTile * kDetailScale;
+const int kTile = 32; // texels along a tile's edge
 // A texel belongs to the pixel's surface when it lies on the pixel's tangent plane to within this
 // many texel footprints (more at grazing angles, where a footprint on the surface is longer).
 const float kPlaneFootprints = 0.5;
 const float kSteepest = 0.2; // cosine below which the tolerance grows no more
+// Seen at a grazing angle, what stands on a surface lies near its plane, too. It hides the surface, but for
+// texels of surfaces behind others: of these none may be farther from the pixel along the face's axis
+// than this many tolerances, 1.5 times the length of a texel on the surface.
+const float kBehindTolerances = 3.0;
+const float kAnywhere = 1.0e30;
 // Weights go with the fourth power of the quality factor; what is below this share of the best counts for
 // nothing.
 const float kLeastShare = 0.25;
@@ -63,7 +67,7 @@ struct Quad {
     vec4 t;
 };
 
-// The texels of a grid: of a face as a whole, or of the detail of one of its tiles.
+// The texels of a grid: of a face as a whole, or of the block of one of its tiles.
 struct Grid {
     int layer;
     ivec2 origin; // of the grid's texel (0, 0) in its layer
@@ -75,19 +79,6 @@ struct Grid {
 Grid wholeFace(int layer) {
     return Grid(layer, ivec2(0), ivec2(0), ivec2(uFaceSize), 1);
 }
-
-#ifdef AO_DETAIL
-// The finer grid of the tile about a place on a face, in texels of the face, if it has one.
-Grid finest(int layer, vec2 at) {
-    ivec2 tile = min(ivec2(at), uFaceSize - 1) / kTile;
-    ivec2 page = ivec2(texelFetch(uPages, ivec3(tile, layer), 0).rg * 65535.0 + 0.5);
-    if (page.x == 0) {
-        return wholeFace(layer);
-    }
-    return Grid(page.x - 1, kBlock * ivec2(page.y & 255, page.y >> 8), tile * kBlock,
-                min(ivec2(kBlock), kDetailScale * uFaceSize - tile * kBlock), kDetailScale);
-}
-#endif
 
 #ifdef GL_ARB_texture_gather
 #define FOUR(sampler) textureGather(sampler, middle).wzxy
@@ -114,8 +105,11 @@ Quad quadAt(Grid grid, ivec2 corner, vec2 code) {
 
 // Visibility of p by the four texels about it that lie on its surface; negative if there is none.
 // All in the face's axes; `at` in texels from the middle of the grid's first.
-// @param doubt  whether not all four do, or they differ
-float lookUp(vec3 p, vec3 normal, Grid grid, vec2 at, vec2 code, float tolerance, out bool doubt) {
+// @param tolerance  how far from p's tangent plane they may lie
+// @param apart      how far from p along the face's axis
+// @param doubt      whether not all four do, or they differ
+float lookUp(vec3 p, vec3 normal, Grid grid, vec2 at, vec2 code, float tolerance, float apart,
+             out bool doubt) {
     vec2 corner = clamp(floor(at), vec2(0.0), vec2(grid.extent - 2));
     vec2 f = clamp(at - corner, 0.0, 1.0);
     Quad quad = quadAt(grid, ivec2(corner), code);
@@ -124,7 +118,8 @@ float lookUp(vec3 p, vec3 normal, Grid grid, vec2 at, vec2 code, float tolerance
     // Never quite zero: a lone texel in the far corner is better than none.
     vec4 weights = vec4((1.0 - f.x) * (1.0 - f.y), f.x * (1.0 - f.y), (1.0 - f.x) * f.y, f.x * f.y) +
                    1.0e-3;
-    vec4 belongs = vec4(lessThanEqual(off, vec4(tolerance))) * quad.known;
+    vec4 belongs = vec4(lessThanEqual(off, vec4(tolerance))) * quad.known *
+                   vec4(lessThanEqual(abs(quad.depth - p.z), vec4(apart)));
     weights *= belongs;
     float sum = dot(weights, vec4(1.0));
     vec2 least = min(quad.visibility.xy, quad.visibility.zw);
@@ -200,7 +195,7 @@ void project(int cube, vec3 eyeTo, vec3 normal, float resolution, inout Projecte
     bool doubt;
     float visibility =
         lookUp(inFace, normalInFace, wholeFace(layer), at - 0.5, uDepthCode[cube].xy,
-               planeTolerance(p, depth, facing, 1.0, resolution), doubt);
+               planeTolerance(p, depth, facing, 1.0, resolution), kAnywhere, doubt);
     if (visibility < 0.0) {
         if (quality > best.guessQuality) {
             best.guessQuality = quality;
@@ -244,7 +239,7 @@ void consider(int cube, vec3 eyeTo, vec3 normal, inout Projected best) {
 }
 
 // After all cube maps: where a tile of the best is kept finer, what its finer texels know stands for all;
-// where none knows the surface, what the one that might knows of it in finer texels, or nearby. Apart from
+// where none knows the surface, what the one that might knows of it in its block, or nearby. Apart from
 // project(), because a software rasteriser runs every branch, for each cube map again; only loops end
 // when no pixel of a group goes on.
 void refine(vec3 eyeTo, vec3 normal, float resolution, inout Projected best) {
@@ -261,15 +256,27 @@ void refine(vec3 eyeTo, vec3 normal, float resolution, inout Projected best) {
     vec2 code = uDepthCode[cube].xy;
     int layer = faceLayer(cube, face);
     float visibility = -1.0;
-#ifdef AO_DETAIL
-    Grid grid = finest(layer, at);
-    float scale = float(grid.scale);
-    bool finer = grid.scale > 1;
-    bool doubt;
-    visibility = lookUp(inFace, toFace(face, normal), grid, scale * at - vec2(grid.offset) - 0.5, code,
-                        planeTolerance(p, inFace.z, -dot(normal, p), scale, resolution), doubt);
-    visibility = finer ? visibility : -1.0;
-    best.doubt = finer ? doubt || visibility < 0.0 : best.doubt;
+#ifdef AO_BLOCKS
+    int edge = kTile * uBlockScale;
+    float scale = float(uBlockScale);
+    float tolerance = planeTolerance(p, inFace.z, -dot(normal, p), scale, resolution);
+    float apart = uBlockScale == 1 ? kBehindTolerances * tolerance : kAnywhere;
+    ivec2 tile = min(ivec2(at), uFaceSize - 1) / kTile;
+    ivec3 link = ivec3(tile, layer);
+    bool behind;
+    do { // from block to block, which lie behind each other
+        ivec2 page = ivec2(texelFetch(uPages, link, 0).rg * 65535.0 + 0.5);
+        bool paged = page.x > 0 && (uBlockScale > 1 || unknown);
+        link = ivec3(page.y & 255, page.y >> 8, page.x - 1);
+        Grid grid = Grid(max(link.z, 0), edge * link.xy, tile * edge,
+                         min(ivec2(edge), uBlockScale * uFaceSize - tile * edge), uBlockScale);
+        bool doubt;
+        float told = lookUp(inFace, toFace(face, normal), grid, scale * at - vec2(grid.offset) - 0.5,
+                            code, tolerance, apart, doubt);
+        visibility = paged ? told : visibility;
+        best.doubt = paged ? doubt || told < 0.0 : best.doubt;
+        behind = paged && uBlockScale == 1 && told < 0.0;
+    } while (behind);
 #endif
     bool nearby = unknown && visibility < 0.0;
     float about = lookAbout(inFace, wholeFace(layer), at - 0.5, code, nearby);

@@ -8,7 +8,8 @@ uniform vec2 uTargetSize;
 uniform int uCubes;
 
 // From the eye to the surface, world axes; what the pixel covers there, world units, negative where no
-// cube map shades it, 0 for background. The lowest bits of that number, kCubeMask, name the best cube map.
+// cube map shades it, 0 for background. The lowest bits of that number, kCubeMask, name the best cube map,
+// or the one that might know the surface, kCubeMask where none does.
 layout(location = 0) out vec4 outSample;
 
 const int kCubeMask = 63; // as many as uCubeToEye names
@@ -26,7 +27,7 @@ void main() {
     Projected best = nothingProjected();
     projectAll(0, uCubes, eyeTo, normal, resolution, best);
     refine(eyeTo, normal, resolution, best);
-    int cube = best.quality > 0.0 ? best.cube : max(best.guess, 0);
+    int cube = best.quality > 0.0 ? best.cube : best.guess < 0 ? kCubeMask : best.guess;
     float footprint = intBitsToFloat((floatBitsToInt(pixelFootprint(surface.t)) & ~kCubeMask) | cube);
     outSample = vec4(eyeTo, best.weights > 0.0 ? footprint : -footprint);
 }

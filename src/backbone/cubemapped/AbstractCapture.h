@@ -32,7 +32,11 @@ public:
     virtual void bind(gl::GLSLShader& shader) const = 0;
     /// The faces that hold geometry.
     virtual std::array<bool, kFaces> modelled() const = 0;
-    /// Surfaces or solid intervals along a ray, at most.
+    /// Surfaces or solid intervals along a ray of one face, at most.
+    virtual int layersOf(int face) const {
+        return modelled()[static_cast<std::size_t>(face)] ? 1 : 0;
+    }
+    /// The same of any face.
     virtual int layers() const = 0;
     /// GPU memory: as it is, and the most that it has been.
     virtual std::size_t bytes() const = 0;

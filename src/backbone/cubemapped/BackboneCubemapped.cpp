@@ -3,19 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
 #include "backbone/Estimators.h"
 #include "backbone/cubemapped/Placement.h"
-#include "shared/cube_faces.h"
+#include "backbone/cubemapped/TileRequests.h"
 
 namespace aolib {
 
 namespace {
-
-/// Texels this many times as wide as the pixels that show them are too coarse for edges.
-constexpr float kCoarse = 1.25F;
 
 template <typename Part>
 Status make(std::optional<Part>& part, const BackboneContext& context) {
@@ -190,6 +188,10 @@ Status BackboneCubemapped::followScene() {
             projector->outdated = projector->outdated || capturing;
             projector->dirty = projector->dirty || (capturing && change.geometry) ||
                                sight_->sees(context_, *projector, cubeMaps_.store(), region);
+            if (!projector->dirty && cubeMaps_.blocks().scale() == 1) { // of what it does not see
+                projector->dropBlocks(cubeMaps_.store(), cubeMaps_.blocks(), region);
+                schedule_.changedBehind(*projector, region);
+            }
         }
     }
     return {};
@@ -229,19 +231,7 @@ void BackboneCubemapped::heedSurvey(const std::vector<CubeMapProjector*>& projec
     shownSurvey_ = *answer;
     Eviction::follow(cubeMaps_.all(), answer->best);
     for (CubeMapProjector* projector : projectors) {
-        const glm::vec3 toEye(answer->eye - glm::dvec3(projector->position()));
-        const auto size = static_cast<float>(projector->tiles.faceSize());
-        for (std::size_t i = 0; i < answer->points.size(); ++i) {
-            const glm::vec3 p = toEye + answer->points[i];
-            const int face = shared::faceOf(p);
-            const glm::vec3 inFace = shared::toFace(face, p);
-            const float perUnit = 0.5F * size / inFace.z; // texels
-            if (!std::isfinite(inFace.z * perUnit)) {     // the centre itself, or beyond floats
-                continue;
-            }
-            const bool fine = 1.0F > kCoarse * answer->footprints[i] * perUnit;
-            projector->tiles.ask(face, glm::vec2(inFace) * perUnit + 0.5F * size, fine);
-        }
+        requestTiles(*projector, *answer, cubeMaps_.blocks(), schedule_.passes());
     }
 }
 
@@ -272,7 +262,12 @@ Status BackboneCubemapped::prepare(const Frame& frame) {
     }
     texelsComplete_ = true;
     for (CubeMapProjector* projector : used) {
-        texelsComplete_ = texelsComplete_ && schedule_.finished(*projector);
+        if (std::exchange(projector->showsMore, false)) {
+            projector->surveysBefore = framesSurveyed_;
+        }
+        texelsComplete_ =
+            texelsComplete_ && schedule_.finished(*projector) &&
+            (shownSurvey_.frame > projector->surveysBefore || projector->surveysBefore == 0);
         if (projector->shown) {
             projected_.push_back(projector);
         }
@@ -289,7 +284,7 @@ void BackboneCubemapped::repair(const Frame& frame) {
             .context = context_,
             .frame = frame,
             .host = host_,
-            .kept = {cubeMaps_.store(), cubeMaps_.details()},
+            .kept = {cubeMaps_.store(), cubeMaps_.blocks()},
             .projectors = projected_,
             .radius = radius(),
         };
@@ -299,7 +294,7 @@ void BackboneCubemapped::repair(const Frame& frame) {
 }
 
 KeptTexels BackboneCubemapped::kept() const {
-    return {cubeMaps_.store(), cubeMaps_.details(), repair_.repaired()};
+    return {cubeMaps_.store(), cubeMaps_.blocks(), repair_.repaired()};
 }
 
 bool BackboneCubemapped::shadesDirectly() const {
@@ -321,7 +316,7 @@ Result<const gl::RenderToTexture2D*> BackboneCubemapped::computeVisibility(const
 }
 
 Status BackboneCubemapped::finishFrame(const Frame& frame) {
-    survey_->take(context_, frame, host_, {cubeMaps_.store(), cubeMaps_.details()}, projected_,
+    survey_->take(context_, frame, host_, {cubeMaps_.store(), cubeMaps_.blocks()}, projected_,
                   ++framesSurveyed_);
     if (context_.options.cubeMaps.outlines) {
         outlines_->draw(context_, frame, cubeMaps_.nearest(frame.position));
@@ -337,9 +332,10 @@ void BackboneCubemapped::addStatistics(Statistics& statistics) {
     statistics.cubeMapsEvicted = cubeMaps_.evicted();
     statistics.converged = converged_;
     statistics.pixelsRepaired = repair_.pixels();
+    const int blockWeight = cubeMaps_.blocks().scale() * cubeMaps_.blocks().scale();
     TileProgress::Share sum;
     for (const CubeMapProjector* projector : projected_) {
-        const TileProgress::Share share = projector->tiles.share(schedule_.passes());
+        const TileProgress::Share share = projector->tiles.share(schedule_.passes(), blockWeight);
         sum.done += share.done;
         sum.needed += share.needed;
     }

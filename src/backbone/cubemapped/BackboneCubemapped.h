@@ -38,7 +38,7 @@ private:
     explicit BackboneCubemapped(const BackboneContext& context)
         : AbstractBackbone(context),
           cubeMaps_(context, [this](CubeMapProjector& one) { cubeMapGoes(one); }),
-          schedule_(context, sceneGeometry_, cubeMaps_.store(), cubeMaps_.details(),
+          schedule_(context, sceneGeometry_, cubeMaps_.store(), cubeMaps_.blocks(),
                     [this] { return radius(); }) {}
 
     Status prepare(const Frame& frame) override;
@@ -79,7 +79,7 @@ private:
 
     std::optional<Survey::Answer> latestSurvey_; ///< of the cube maps as they are
     Survey::Answer shownSurvey_{
-        .frame = 0, .shaded = -1.0F, .points = {}, .footprints = {}, .best = {}};
+        .frame = 0, .shaded = -1.0F, .points = {}, .footprints = {}, .hiddenFrom = {}, .best = {}};
     std::uint64_t framesSurveyed_ = 0;
     std::vector<CubeMapProjector*> projected_; ///< in the latest frame
     bool texelsComplete_ = true; ///< of the cube maps in use, as far as views ask for them

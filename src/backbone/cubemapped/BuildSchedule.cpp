@@ -38,13 +38,13 @@ Status BuildSchedule::chooseTexels() {
         }
         askTracer();
         if (!traced_) {
-            traced_ = std::make_unique<RayTracedTexels>(context_, store_, details_, *tracerQueue_);
+            traced_ = std::make_unique<RayTracedTexels>(context_, store_, blocks_, *tracerQueue_);
         }
         traced_->setRadius(radius_());
         source_ = traced_.get();
     } else {
         if (!raster_) {
-            auto raster = RasterTexels::create(context_, geometry_, store_, radius_);
+            auto raster = RasterTexels::create(context_, geometry_, store_, blocks_, radius_);
             if (!raster) {
                 return raster.status();
             }
@@ -103,6 +103,12 @@ void BuildSchedule::sceneChanged() {
     }
 }
 
+void BuildSchedule::changedBehind(const CubeMapProjector& projector, const Bounds& region) {
+    if (raster_) {
+        raster_->changedBehind(projector.id(), region);
+    }
+}
+
 void BuildSchedule::dropTracer() {
     source_ = nullptr;
     pixels_ = nullptr;
@@ -150,7 +156,7 @@ Status BuildSchedule::compute(const std::vector<CubeMapProjector*>& projectors) 
 void BuildSchedule::begin(CubeMapProjector& projector) {
     forget(projector.id());
     projector.outdated = false;
-    projector.dropDetails(store_, details_);
+    projector.dropBlocks(store_, blocks_);
     projector.buildMs = 0.0;
     projector.tiles.restart();
     ++begun_;

@@ -17,8 +17,8 @@ class BuildSchedule {
 public:
     /// @param radius  asks for the reach of occluders, world units. All others outlive it.
     BuildSchedule(const BackboneContext& context, const SceneGeometry& geometry, FaceStore& store,
-                  DetailStore& details, std::function<float()> radius)
-        : context_(context), geometry_(geometry), store_(store), details_(details),
+                  BlockStore& blocks, std::function<float()> radius)
+        : context_(context), geometry_(geometry), store_(store), blocks_(blocks),
           radius_(std::move(radius)) {}
 
     /// Makes the sources that the options' estimator takes its texels and pixels from.
@@ -26,6 +26,8 @@ public:
     Status chooseSource();
     /// The scene is another.
     void sceneChanged();
+    /// Something has changed within a region that a cube map does not see.
+    void changedBehind(const CubeMapProjector& projector, const Bounds& region);
     /// The tracer is about to be exchanged.
     void dropTracer();
     /// What computes the pixels of views at rest; null where texels have to do.
@@ -62,7 +64,7 @@ private:
     const BackboneContext context_;
     const SceneGeometry& geometry_;
     FaceStore& store_;
-    DetailStore& details_;
+    BlockStore& blocks_;
     std::function<float()> radius_;
     std::unique_ptr<RasterTexels> raster_;
     std::unique_ptr<TracerQueue> tracerQueue_;

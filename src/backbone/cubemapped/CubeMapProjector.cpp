@@ -73,28 +73,80 @@ void CubeMapProjector::dropFaces(FaceStore& store) {
     }
 }
 
-Result<int> CubeMapProjector::detailOf(const FaceStore& store, DetailStore& details, int tile) {
-    if (const auto found = details_.find(tile); found != details_.end()) {
-        return found->second;
+Result<int> CubeMapProjector::blockOf(const FaceStore& store, BlockStore& blocks, int tile) {
+    const auto found = blocks_.find(tile);
+    return found != blocks_.end() ? found->second.front() : addBlock(store, blocks, tile);
+}
+
+Result<int> CubeMapProjector::addBlock(const FaceStore& store, BlockStore& blocks, int tile) {
+    const auto block = blocks.take();
+    if (!block) {
+        return block;
     }
-    const auto block = details.take();
-    if (block) {
-        details_.emplace(tile, *block);
-        const TileProgress::Region region = tiles.region(tile);
-        store.setPage(layer(region.face), region, details.page(*block));
+    // Each says where the next one is: the tile's own page, or that of the block before, whose
+    // place is a tile's of its layer.
+    const TileProgress::Region region = tiles.region(tile);
+    FaceStore::Page link{layer(region.face), glm::ivec2(region.x, region.y) / TileProgress::kTile};
+    std::vector<int>& chain = blocks_[tile];
+    if (!chain.empty()) {
+        link = blocks.page(chain.back());
     }
+    const FaceStore::Page page = blocks.page(*block);
+    store.setPage(page.layer, page.at, {});
+    store.setPage(link.layer, link.at, page);
+    chain.push_back(*block);
     return block;
 }
 
-void CubeMapProjector::dropDetails(const FaceStore& store, DetailStore& details) {
-    for (const auto& [tile, block] : details_) {
-        const TileProgress::Region region = tiles.region(tile);
-        if (keeps(region.face)) {
-            store.setPage(layer(region.face), region, {});
-        }
-        details.giveBack(block);
+void CubeMapProjector::dropBlocks(const FaceStore& store, BlockStore& blocks) {
+    for (const auto& [tile, dropped] : blocks_) {
+        dropBlocks(store, blocks, tile, dropped);
     }
-    details_.clear();
+    blocks_.clear();
+}
+
+void CubeMapProjector::dropBlocks(const FaceStore& store, BlockStore& blocks,
+                                  const Bounds& region) {
+    std::erase_if(blocks_, [&](const auto& kept) {
+        const bool hit = looksAt(kept.first, region);
+        if (hit) {
+            dropBlocks(store, blocks, kept.first, kept.second);
+        }
+        return hit;
+    });
+}
+
+void CubeMapProjector::dropBlocks(const FaceStore& store, BlockStore& blocks, int tile,
+                                  const std::vector<int>& dropped) {
+    const TileProgress::Region region = tiles.region(tile);
+    if (keeps(region.face)) {
+        store.setPage(layer(region.face), glm::ivec2(region.x, region.y) / TileProgress::kTile, {});
+    }
+    for (const int block : dropped) {
+        blocks.giveBack(block);
+    }
+    tiles.setBlockPasses(tile, 0);
+}
+
+bool CubeMapProjector::looksAt(int tile, const Bounds& region) const {
+    // Outside where all of the region lies beyond one of the four planes through the tile's edges.
+    const TileProgress::Region t = tiles.region(tile);
+    const float perTexel = 2.0F / static_cast<float>(tiles.faceSize());
+    const glm::vec2 low = perTexel * glm::vec2(t.x, t.y) - 1.0F;
+    const glm::vec2 high = perTexel * glm::vec2(t.x + t.width, t.y + t.height) - 1.0F;
+    std::array<bool, 4> beyond{true, true, true, true};
+    for (unsigned corner = 0; corner < 8; ++corner) {
+        const glm::vec3 p =
+            shared::toFace(t.face, glm::vec3((corner & 1U) != 0 ? region.max.x : region.min.x,
+                                             (corner & 2U) != 0 ? region.max.y : region.min.y,
+                                             (corner & 4U) != 0 ? region.max.z : region.min.z) -
+                                       position_);
+        beyond[0] = beyond[0] && p.x < low.x * p.z;
+        beyond[1] = beyond[1] && p.x > high.x * p.z;
+        beyond[2] = beyond[2] && p.y < low.y * p.z;
+        beyond[3] = beyond[3] && p.y > high.y * p.z;
+    }
+    return std::ranges::find(beyond, true) == beyond.end();
 }
 
 int CubeMapProjector::facesKept() const {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <vector>
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
@@ -13,10 +14,11 @@
 #include <aolib/Statistics.h>
 
 #include "backbone/Frame.h"
-#include "backbone/cubemapped/DetailStore.h"
+#include "backbone/cubemapped/BlockStore.h"
 #include "backbone/cubemapped/FaceStore.h"
 #include "backbone/cubemapped/TileProgress.h"
 #include "gl/GpuTimer.h"
+#include "scene/Bounds.h"
 
 namespace aolib {
 
@@ -54,10 +56,16 @@ public:
     int layer(int face) const { return layers_[static_cast<std::size_t>(face)]; }
     int facesKept() const;
 
-    /// The block of the detail store that shows a tile finer, made on first use.
-    /// Errors: as DetailStore::take().
-    Result<int> detailOf(const FaceStore& store, DetailStore& details, int tile);
-    void dropDetails(const FaceStore& store, DetailStore& details);
+    /// The first block of a tile, made on first use.
+    /// Errors: as BlockStore::take().
+    Result<int> blockOf(const FaceStore& store, BlockStore& blocks, int tile);
+    /// One more block, behind those that a tile has: surfaces behind surfaces.
+    Result<int> addBlock(const FaceStore& store, BlockStore& blocks, int tile);
+    void dropBlocks(const FaceStore& store, BlockStore& blocks);
+    /// Those of tiles that look towards a region: something there has changed.
+    void dropBlocks(const FaceStore& store, BlockStore& blocks, const Bounds& region);
+    /// Whether a region may lie before or behind a tile's texels.
+    bool looksAt(int tile, const Bounds& region) const;
 
     /// Reads everything back; waits for the GPU.
     CubeMapImage read(const gl::Functions& gl, const FaceStore& store) const;
@@ -74,6 +82,9 @@ public:
     Use use;
 
     TileProgress tiles;
+    /// It shows more than before: surveys so far do not tell what it still hides.
+    bool showsMore = false;
+    std::uint64_t surveysBefore = 0; ///< number of the latest survey when it last showed more
     /// The scene or the options changed what it sees: compute again before the next use.
     bool dirty = true;
     /// The scene changed while it was captured: compute again afterwards, and the change shows.
@@ -87,12 +98,15 @@ public:
     gl::GpuTimer timer;
 
 private:
+    void dropBlocks(const FaceStore& store, BlockStore& blocks, int tile,
+                    const std::vector<int>& dropped);
+
     CubeMapId id_{};
     glm::vec3 position_{};
     float nearest_ = std::numeric_limits<float>::infinity(); ///< of the depths that codes span
     float farthest_ = 0.0F;
     glm::vec2 depthCode_{0.0F, 0.0F};
-    std::map<int, int> details_; ///< tile to block
+    std::map<int, std::vector<int>> blocks_; ///< by tile, front to back
     std::array<int, kFaces> layers_{kNoLayer, kNoLayer, kNoLayer, kNoLayer, kNoLayer, kNoLayer};
 };
 

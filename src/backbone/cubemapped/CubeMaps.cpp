@@ -12,6 +12,9 @@ namespace aolib {
 
 namespace {
 
+/// Texels of rays' detail along a texel.
+constexpr int kDetailScale = 4;
+
 bool contains(const std::vector<CubeMapProjector*>& list, const CubeMapProjector* one) {
     return std::find(list.begin(), list.end(), one) != list.end();
 }
@@ -19,7 +22,7 @@ bool contains(const std::vector<CubeMapProjector*>& list, const CubeMapProjector
 } // namespace
 
 CubeMaps::CubeMaps(const BackboneContext& context, Removed removed)
-    : context_(context), removed_(std::move(removed)), store_(context.gl), details_(store_) {}
+    : context_(context), removed_(std::move(removed)), store_(context.gl), blocks_(store_) {}
 
 CubeMapProjector* CubeMaps::find(CubeMapId id) const {
     const auto found = std::find_if(projectors_.begin(), projectors_.end(),
@@ -42,10 +45,17 @@ std::vector<CubeMapProjector*> CubeMaps::nearest(const glm::vec3& camera) const 
 
 void CubeMaps::followOptions() {
     const CubeMapOptions& options = context_.options.cubeMaps;
+    const int scale = context_.options.estimator == Estimator::RayTraced ? kDetailScale : 1;
+    if (blocks_.scale() != scale) {
+        for (const auto& projector : projectors_) {
+            projector->dropBlocks(store_, blocks_);
+        }
+        blocks_.setScale(scale);
+    }
     const int limit = Eviction::layersWithin(options, context_.gl.capabilities.maxTextureLayers);
     if (store_.faceSize() != options.faceSize || limit < store_.layers()) {
         for (const auto& projector : projectors_) {
-            projector->dropDetails(store_, details_);
+            projector->dropBlocks(store_, blocks_);
             projector->dropFaces(store_);
             projector->tiles = TileProgress(options.faceSize);
             projector->dirty = true;
@@ -54,7 +64,7 @@ void CubeMaps::followOptions() {
         store_.reset(options.faceSize);
     }
     if (limit > store_.limit()) {
-        allowDetail();
+        allowBlocks();
     }
     store_.setLimit(limit);
     while (store_.spare() < 0) {
@@ -78,11 +88,11 @@ Result<CubeMapProjector*> CubeMaps::add(const glm::vec3& position, bool byHand) 
 
 void CubeMaps::remove(CubeMapProjector& projector) {
     removed_(projector);
-    projector.dropDetails(store_, details_);
+    projector.dropBlocks(store_, blocks_);
     projector.dropFaces(store_);
     store_.release();
     std::erase_if(projectors_, [&](const auto& one) { return one.get() == &projector; });
-    allowDetail(); // there may be room for it now
+    allowBlocks(); // there may be room for it now
 }
 
 Status CubeMaps::makeRoomAtOnce() {
@@ -123,13 +133,13 @@ void CubeMaps::evictWhereDue(const std::vector<CubeMapProjector*>& used, bool at
         evict(*projector);
     }
     const bool refused = std::any_of(projectors_.begin(), projectors_.end(), [](const auto& one) {
-        return one->use.surveysUnseen == 0 && one->tiles.refusedDetail();
+        return one->use.surveysUnseen == 0 && one->tiles.refusedBlock();
     });
     if (refused) {
         std::vector<CubeMapProjector*> still = used;
         std::erase_if(still, [&](const auto* one) { return contains(left, one); });
-        if (makeRoom(Eviction::For::Detail, still, atOnce)) {
-            allowDetail();
+        if (makeRoom(Eviction::For::Block, still, atOnce)) {
+            allowBlocks();
         }
     }
 }
@@ -139,9 +149,9 @@ void CubeMaps::evict(CubeMapProjector& projector) {
     remove(projector);
 }
 
-void CubeMaps::allowDetail() {
+void CubeMaps::allowBlocks() {
     for (const auto& projector : projectors_) {
-        projector->tiles.allowDetail();
+        projector->tiles.allowBlocks();
     }
 }
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "backbone/Frame.h"
+#include "backbone/cubemapped/BlockStore.h"
 #include "backbone/cubemapped/CubeMapProjector.h"
-#include "backbone/cubemapped/DetailStore.h"
 #include "backbone/cubemapped/Eviction.h"
 #include "backbone/cubemapped/FaceStore.h"
 
@@ -25,8 +25,8 @@ public:
 
     FaceStore& store() { return store_; }
     const FaceStore& store() const { return store_; }
-    DetailStore& details() { return details_; }
-    const DetailStore& details() const { return details_; }
+    BlockStore& blocks() { return blocks_; }
+    const BlockStore& blocks() const { return blocks_; }
 
     const std::vector<std::unique_ptr<CubeMapProjector>>& all() const { return projectors_; }
     /// Null where none has the id.
@@ -34,7 +34,7 @@ public:
     /// The ones to work on in a frame, as many as the options say, nearest first.
     std::vector<CubeMapProjector*> nearest(const glm::vec3& camera) const;
 
-    /// Follows the options' face size and memory budget.
+    /// Follows the options' face size and memory budget, and what their estimator needs blocks for.
     void followOptions();
     /// One more, of which nothing is computed yet. There must be room for it.
     /// Errors: as CubeMapProjector::create().
@@ -48,19 +48,19 @@ public:
     /// @param atOnce  nothing fades.
     /// @return whether there is room now.
     bool makeRoom(Eviction::For reason, const std::vector<CubeMapProjector*>& used, bool atOnce);
-    /// Has those go that have faded out, and makes room for detail that is in view.
+    /// Has those go that have faded out, and makes room for blocks that are in view.
     void evictWhereDue(const std::vector<CubeMapProjector*>& used, bool atOnce);
     /// How many went for the budget's sake.
     std::uint64_t evicted() const { return evicted_; }
 
 private:
     void evict(CubeMapProjector& projector);
-    void allowDetail();
+    void allowBlocks();
 
     const BackboneContext context_;
     Removed removed_;
     FaceStore store_;
-    DetailStore details_;
+    BlockStore blocks_;
     std::vector<std::unique_ptr<CubeMapProjector>> projectors_;
     std::uint32_t nextId_ = 1;
     std::uint64_t evicted_ = 0;

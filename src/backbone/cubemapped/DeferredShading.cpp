@@ -27,6 +27,14 @@ constexpr Smoothing kSmoothing{1, 4.0F};
 constexpr float kFewPasses = 0.4F;
 constexpr Smoothing kSmoothingOfFew{2, 1.0F};
 
+/// Texels about a tile that the smoothing of its border looks at.
+constexpr int kApron = kSmoothing.reach;
+
+/// Where a face's first texel would lie in what accumulates the surfaces behind one of its tiles.
+glm::ivec2 behindOrigin(const TileProgress::Region& region) {
+    return kApron - glm::ivec2(region.x, region.y);
+}
+
 } // namespace
 
 Result<DeferredShading> DeferredShading::create(const BackboneContext& context) {
@@ -150,42 +158,89 @@ Status DeferredShading::step(const BackboneContext& context, CubeMapCapture& cap
 
 // ---- Texels -------------------------------------------------------------------------------------
 
-void DeferredShading::accumulate(const BackboneContext& context, const CubeMapCapture& capture,
-                                 float radius, const TileProgress::Region& region, int first,
-                                 int count) {
+void DeferredShading::addPasses(const BackboneContext& context, const CubeMapCapture& capture,
+                                float radius, const Receivers& receivers, int first, int count) {
     const gl::DebugGroup group(context.gl, "aolib: texels of a cube map");
-    const gl::Functions& gl = context.gl;
-    const int size = capture.accumulated.height();
-    capture.accumulated.begin(0);
-    gl.Viewport(region.face * size + region.x, region.y, region.width, region.height);
     visibility_.bind();
     capture.geometry->bind(visibility_);
-    visibility_.set("uFace", region.face);
+    visibility_.set("uFace", receivers.face);
+    visibility_.set("uLayer", receivers.layer);
+    visibility_.set("uFaceOrigin", receivers.origin);
     visibility_.set("uFirstSlice", first);
     visibility_.set("uSliceCount", count);
     setEstimatorUniforms(visibility_, context.options, radius);
-    gl.Enable(GL_BLEND);
-    gl.BlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
+    context.gl.Enable(GL_BLEND);
+    context.gl.BlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
     context.generated.drawFullscreen();
-    gl.Disable(GL_BLEND);
+    context.gl.Disable(GL_BLEND);
+}
+
+void DeferredShading::keep(const BackboneContext& context, const CubeMapCapture& capture,
+                           const CubeMapProjector& projector, const Receivers& receivers,
+                           const gl::RenderToTexture2D& accumulated, const glm::ivec2& keptOrigin,
+                           float share) {
+    const gl::DebugGroup group(context.gl, "aolib: keep texels");
+    const Smoothing& smoothing = share < kFewPasses ? kSmoothingOfFew : kSmoothing;
+    resolve_.bind();
+    capture.geometry->bind(resolve_);
+    accumulated.bindTexture(0, 1);
+    resolve_.set("uAccumulated", 1);
+    resolve_.set("uFace", receivers.face);
+    resolve_.set("uLayer", receivers.layer);
+    resolve_.set("uFaceOrigin", receivers.origin);
+    resolve_.set("uKeptOrigin", keptOrigin);
+    resolve_.set("uDepthCode", projector.depthCode());
+    resolve_.set("uReach", smoothing.reach);
+    resolve_.set("uOwnWeight", smoothing.ownWeight);
+    context.generated.drawFullscreen();
+}
+
+void DeferredShading::accumulate(const BackboneContext& context, const CubeMapCapture& capture,
+                                 float radius, const TileProgress::Region& region, int first,
+                                 int count) {
+    const glm::ivec2 origin(region.face * capture.accumulated.height(), 0);
+    capture.accumulated.begin(0);
+    context.gl.Viewport(origin.x + region.x, region.y, region.width, region.height);
+    addPasses(context, capture, radius, {region.face, 0, origin}, first, count);
 }
 
 void DeferredShading::resolve(const BackboneContext& context, const CubeMapCapture& capture,
                               const CubeMapProjector& projector, const FaceStore& store,
                               const TileProgress::Region& region, float share) {
-    const gl::DebugGroup group(context.gl, "aolib: keep texels");
-    const Smoothing& smoothing = share < kFewPasses ? kSmoothingOfFew : kSmoothing;
+    const glm::ivec2 origin(region.face * capture.accumulated.height(), 0);
     store.begin(projector.layer(region.face));
     context.gl.Viewport(region.x, region.y, region.width, region.height);
-    resolve_.bind();
-    capture.geometry->bind(resolve_);
-    capture.accumulated.bindTexture(0, 1);
-    resolve_.set("uAccumulated", 1);
-    resolve_.set("uFace", region.face);
-    resolve_.set("uDepthCode", projector.depthCode());
-    resolve_.set("uReach", smoothing.reach);
-    resolve_.set("uOwnWeight", smoothing.ownWeight);
-    context.generated.drawFullscreen();
+    keep(context, capture, projector, {region.face, 0, origin}, capture.accumulated, {}, share);
+}
+
+Status DeferredShading::accumulateBehind(const BackboneContext& context, CubeMapCapture& capture,
+                                         float radius, const TileProgress::Region& region,
+                                         int layer, int pass) {
+    constexpr int kEdge = TileProgress::kTile + 2 * kApron;
+    if (Status status =
+            capture.behind.become(context.gl, {.width = kEdge,
+                                               .height = kEdge,
+                                               .targets = {gl::RenderToTexture2D::Format::RG32F},
+                                               .label = "aolib/accumulated/behind"});
+        !status) {
+        return status;
+    }
+    capture.behind.begin(0);
+    if (pass == 0) {
+        const std::array<GLfloat, 4> nothing{};
+        context.gl.ClearBufferfv(GL_COLOR, 0, nothing.data());
+    }
+    addPasses(context, capture, radius, {region.face, layer, behindOrigin(region)}, pass, 1);
+    return {};
+}
+
+void DeferredShading::resolveBehind(const BackboneContext& context, const CubeMapCapture& capture,
+                                    const CubeMapProjector& projector, const BlockStore& blocks,
+                                    int block, const TileProgress::Region& region, int layer) {
+    const glm::ivec2 at = blocks.begin(block);
+    context.gl.Viewport(at.x, at.y, region.width, region.height);
+    keep(context, capture, projector, {region.face, layer, behindOrigin(region)}, capture.behind,
+         at - glm::ivec2(region.x, region.y), 1.0F);
 }
 
 } // namespace aolib

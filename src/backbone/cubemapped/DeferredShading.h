@@ -15,11 +15,14 @@ namespace aolib {
 struct CubeMapCapture {
     std::unique_ptr<AbstractCapture> geometry;
     gl::RenderToTexture2D accumulated; ///< six faces side by side: blocked weight, weight
-    bool ready = false;                ///< texels can be computed
+    gl::RenderToTexture2D behind; ///< the same of the surfaces behind a tile, and a texel about
+    bool ready = false;           ///< texels can be computed
 
     WorkUnit next() const { return geometry->complete() ? WorkUnit::Prepare : geometry->next(); }
     bool waits() const { return !geometry->complete() && geometry->waits(); }
-    std::size_t bytes() const { return geometry->bytes() + accumulated.bytes(); }
+    std::size_t bytes() const {
+        return geometry->bytes() + accumulated.bytes() + (behind ? behind.bytes() : 0);
+    }
 };
 
 /// Captures the scene's geometry on the faces of a cube map and computes the ambient occlusion of
@@ -61,7 +64,27 @@ public:
                  const CubeMapProjector& projector, const FaceStore& store,
                  const TileProgress::Region& region, float share);
 
+    /// A pass over the surfaces of a tile that lie behind `layer` others, from pass 0 to the last
+    /// one before those of another tile or layer. Errors: OutOfMemory, MissingCapability.
+    Status accumulateBehind(const BackboneContext& context, CubeMapCapture& capture, float radius,
+                            const TileProgress::Region& region, int layer, int pass);
+    /// Writes what all passes have found of them to a block.
+    void resolveBehind(const BackboneContext& context, const CubeMapCapture& capture,
+                       const CubeMapProjector& projector, const BlockStore& blocks, int block,
+                       const TileProgress::Region& region, int layer);
+
 private:
+    /// Receivers of a face: those of its first surfaces, or of the ones behind.
+    struct Receivers {
+        int face;
+        int layer;         ///< of surfaces, 0 is the first
+        glm::ivec2 origin; ///< where the face's first texel would lie in what accumulates
+    };
+    void addPasses(const BackboneContext& context, const CubeMapCapture& capture, float radius,
+                   const Receivers& receivers, int first, int count);
+    void keep(const BackboneContext& context, const CubeMapCapture& capture,
+              const CubeMapProjector& projector, const Receivers& receivers,
+              const gl::RenderToTexture2D& accumulated, const glm::ivec2& keptOrigin, float share);
     Status chooseEstimator(const BackboneContext& context);
 
     gl::GLSLShader capture_;

@@ -13,7 +13,7 @@ constexpr float kWeight = 1.0F / 64.0F;
 /// Surveys for which a complete cube map stays in any case, so that two views that need more than
 /// there is room for do not make each other's from frame to frame.
 constexpr int kStay = 32;
-/// Surveys in which a cube map was best nowhere until detail that is seen is worth more.
+/// Surveys in which a cube map was best nowhere until a block that is seen is worth more.
 constexpr int kUnseen = 32;
 
 constexpr double kMiB = 1024.0 * 1024.0;

@@ -26,7 +26,7 @@ public:
 
     enum class For : std::uint8_t {
         Newcomer, ///< another cube map
-        Detail,   ///< of one that is seen: only cube maps that nobody has seen of late give way
+        Block,    ///< of one that is seen: only cube maps that nobody has seen of late give way
         Budget,   ///< which has shrunk: even those placed by hand give way
     };
     /// The cube map that is missed least, null where none may go. Those placed by hand stay, and so

@@ -135,15 +135,13 @@ void FaceStore::upload(int layer, const glm::ivec2& at, const glm::ivec2& size,
     depth_.upload(layer, at, size, depth.data());
 }
 
-void FaceStore::setPage(int layer, const TileProgress::Region& region,
-                        const std::optional<Page>& page) const {
+void FaceStore::setPage(int layer, const glm::ivec2& tile, const std::optional<Page>& page) const {
     std::array<std::uint16_t, 2> code{};
     if (page) {
         code = {static_cast<std::uint16_t>(page->layer + 1),
                 static_cast<std::uint16_t>(page->at.x | page->at.y << 8)};
     }
-    pages_.upload(layer, {region.x / TileProgress::kTile, region.y / TileProgress::kTile}, {1, 1},
-                  code.data());
+    pages_.upload(layer, tile, {1, 1}, code.data());
 }
 
 void FaceStore::bindPages(gl::GLSLShader& shader, int unit) const {

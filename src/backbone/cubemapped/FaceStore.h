@@ -16,7 +16,7 @@ namespace aolib {
 /// The texels that cube maps keep, 3 bytes each: a layer of 8-bit visibility and one of 16-bit
 /// coded depth (shaders/shared/distance_code.h) for every face that holds geometry, none for the
 /// others. All lie in two array textures, so that one pass reads them all. A layer may also hold
-/// blocks of finer texels (DetailStore), which a lookup then finds as cheaply.
+/// blocks of finer texels (BlockStore), which a lookup then finds as cheaply.
 class FaceStore {
 public:
     explicit FaceStore(const gl::Functions& gl) : gl_(&gl) {}
@@ -66,9 +66,9 @@ public:
         int layer;
         glm::ivec2 at;
     };
-    /// Says which block shows a tile finer, if any.
-    void setPage(int layer, const TileProgress::Region& region,
-                 const std::optional<Page>& page) const;
+    /// Says which block a tile of a layer has beside its texels, if any. @param tile  column and
+    /// row
+    void setPage(int layer, const glm::ivec2& tile, const std::optional<Page>& page) const;
     /// Makes the layers readable and sets uFaceSize.
     void bind(gl::GLSLShader& shader, int visibilityUnit, int depthUnit) const;
     /// Makes the pages readable.

@@ -30,6 +30,7 @@ public:
     Status step() override;
     void bind(gl::GLSLShader& shader) const override;
     std::array<bool, kFaces> modelled() const override;
+    int layersOf(int face) const override { return counts_[static_cast<std::size_t>(face)]; }
     int layers() const override;
     std::size_t bytes() const override;
     std::size_t mostBytes() const override { return mostBytes_; }

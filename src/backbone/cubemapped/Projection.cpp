@@ -18,8 +18,8 @@ constexpr int kPagesUnit = 3;
 constexpr int kBestUnit = 4;
 constexpr int kRepairedUnit = 5;
 constexpr int kHalfUnit = 6;
-/// Defined in the shaders that look at detail and at repaired pixels, too.
-constexpr const char* kDetail = "AO_DETAIL";
+/// Defined in the shaders that look at blocks and at repaired pixels, too.
+constexpr const char* kBlocks = "AO_BLOCKS";
 constexpr const char* kRepaired = "AO_REPAIRED";
 
 /// Two faces' layers as one number, as shaders/cubemap/projection.glsl takes them apart.
@@ -35,15 +35,15 @@ int pairOfLayers(const CubeMapProjector& projector, int face) {
 Result<Projection> Projection::create(const BackboneContext& context) {
     Projection projection;
     for (std::size_t variant = 0; variant < projection.shade_.size(); ++variant) {
-        const char* detail = variant % 2 == 1 ? kDetail : "";
+        const char* blocks = variant % 2 == 1 ? kBlocks : "";
         const char* repaired = variant / 2 == 1 ? kRepaired : "";
         auto project =
-            buildShader(context.gl, "fullscreen.vert", "cubemap/project.frag", {detail, repaired});
+            buildShader(context.gl, "fullscreen.vert", "cubemap/project.frag", {blocks, repaired});
         if (!project) {
             return project.status();
         }
         auto shade =
-            buildShader(context.gl, "fullscreen.vert", "cubemap/shade.frag", {detail, repaired});
+            buildShader(context.gl, "fullscreen.vert", "cubemap/shade.frag", {blocks, repaired});
         if (!shade) {
             return shade.status();
         }
@@ -69,7 +69,7 @@ Result<Projection> Projection::create(const BackboneContext& context) {
 }
 
 gl::GLSLShader& Projection::variant(Variants& shaders, const KeptTexels& kept) {
-    return shaders[(kept.details.empty() ? 0U : 1U) + (kept.repaired == nullptr ? 0U : 2U)];
+    return shaders[(kept.blocks.empty() ? 0U : 1U) + (kept.repaired == nullptr ? 0U : 2U)];
 }
 
 void Projection::bind(gl::GLSLShader& shader, const Frame& frame, const HostFramebuffer& host,
@@ -92,6 +92,7 @@ void Projection::bind(gl::GLSLShader& shader, const Frame& frame, const HostFram
     }
     kept.faces.bind(shader, kVisibilityUnit, kCubeDepthUnit);
     kept.faces.bindPages(shader, kPagesUnit);
+    shader.set("uBlockScale", kept.blocks.scale());
     std::vector<glm::vec4> toEye;
     std::vector<glm::vec4> codes;
     std::vector<glm::ivec4> layers;

@@ -12,7 +12,7 @@ namespace aolib {
 /// What all cube maps keep, and what was traced for the view.
 struct KeptTexels {
     const FaceStore& faces;
-    const DetailStore& details;
+    const BlockStore& blocks;
     const gl::TextureStack* repaired = nullptr; ///< ViewRepair's, of the view at rest
 };
 
@@ -52,7 +52,7 @@ private:
     static void bindHalf(gl::GLSLShader& shader, const Frame& frame, const HostFramebuffer& host,
                          const KeptTexels& kept, const gl::RenderToTexture2D& half);
 
-    /// Without and with detail, without and with repaired pixels.
+    /// Without and with blocks, without and with repaired pixels.
     using Variants = std::array<gl::GLSLShader, 4>;
     static gl::GLSLShader& variant(Variants& shaders, const KeptTexels& kept);
 

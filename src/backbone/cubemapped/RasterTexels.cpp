@@ -17,10 +17,10 @@ constexpr int kFirstPasses = 2;
 
 Result<std::unique_ptr<RasterTexels>> RasterTexels::create(const BackboneContext& context,
                                                            const SceneGeometry& geometry,
-                                                           FaceStore& store,
+                                                           FaceStore& store, BlockStore& blocks,
                                                            std::function<float()> radius) {
     std::unique_ptr<RasterTexels> texels(
-        new RasterTexels(context, geometry, store, std::move(radius)));
+        new RasterTexels(context, geometry, store, blocks, std::move(radius)));
     auto shading = DeferredShading::create(context);
     if (!shading) {
         return shading.status();
@@ -42,12 +42,24 @@ Result<RasterTexels::Work*> RasterTexels::begin(CubeMapProjector& projector) {
     Work& work = works_[projector.id()];
     work = {};
     work.capture = std::move(*capture);
+    for (int tile = 0; tile < projector.tiles.count();
+         ++tile) { // what was begun went with the last
+        const int had = projector.tiles.blockPasses(tile);
+        projector.tiles.setBlockPasses(tile, had - had % passes());
+    }
     return &work;
+}
+
+void RasterTexels::changedBehind(CubeMapId id, const Bounds& region) {
+    if (const auto work = works_.find(id); work != works_.end()) {
+        work->second.changed.include(region);
+    }
 }
 
 bool RasterTexels::lacks(const CubeMapProjector& projector) const {
     const auto work = works_.find(projector.id());
-    return projector.tiles.lacks(passes()) ||
+    const bool atOnce = context_.options.frameBudget <= 0.0F; // no view has asked yet
+    return projector.tiles.lacks(passes()) || (!atOnce && projector.tiles.lacksBlocks(passes())) ||
            (work != works_.end() && !work->second.toKeep.empty());
 }
 
@@ -119,8 +131,11 @@ Status RasterTexels::advance(const std::vector<CubeMapProjector*>& projectors,
             return left.status();
         }
         room = *left;
-        projector->shown =
-            projector->shown || projector->tiles.fewestPasses() >= std::min(kFirstPasses, passes());
+        if (!projector->shown &&
+            projector->tiles.fewestPasses() >= std::min(kFirstPasses, passes())) {
+            projector->shown = true;
+            projector->showsMore = traitsOf(context_.options.estimator).layered;
+        }
     }
     std::erase_if(works_, [](const auto& entry) { return entry.second.idleFrames > kIdleFrames; });
     return {};
@@ -142,7 +157,10 @@ Result<bool> RasterTexels::goOn(CubeMapProjector& projector) {
             return room;
         }
     }
-    return goOnComputing(projector, work) && goOnKeeping(projector, work);
+    if (!goOnComputing(projector, work) || !goOnKeeping(projector, work)) {
+        return false;
+    }
+    return goOnBehind(projector, work);
 }
 
 Result<bool> RasterTexels::goOnCapturing(CubeMapProjector& projector, Work& work) {
@@ -189,6 +207,7 @@ int RasterTexels::computeTiles(CubeMapProjector& projector, Work& work, int most
             }
             shading_.accumulate(context_, work.capture, radius_(), region, pass, 1);
             tiles.setPasses(tile, pass + 1);
+            tiles.offerBlocks(tile, work.capture.geometry->layersOf(region.face) - 1);
             computed.insert(tile);
             if (++units == most) {
                 break;
@@ -216,6 +235,70 @@ bool RasterTexels::goOnKeeping(CubeMapProjector& projector, Work& work) {
         budget_.done(units);
     }
     return true;
+}
+
+// ---- Surfaces behind ----------------------------------------------------------------------------
+
+std::optional<int> RasterTexels::nextBehind(const CubeMapProjector& projector,
+                                            const Work& work) const {
+    std::optional<int> next;
+    for (int tile = 0; tile < projector.tiles.count(); ++tile) {
+        const bool begun = projector.tiles.blockPasses(tile) % passes() > 0;
+        if (projector.tiles.lacksBlocks(tile, passes()) && (begun || !next) &&
+            (work.changed.empty() || !projector.looksAt(tile, work.changed))) {
+            next = tile;
+        }
+    }
+    return next;
+}
+
+Result<bool> RasterTexels::goOnBehind(CubeMapProjector& projector, Work& work) {
+    while (projector.tiles.lacksBlocks(passes())) {
+        const int most = budget_.room(WorkUnit::Texels);
+        if (most == 0) {
+            return false;
+        }
+        std::optional<int> tile = nextBehind(projector, work);
+        if (!tile) {
+            forget(projector.id()); // captured again, in the next frame: the rest has changed
+            return true;
+        }
+        budget_.start(WorkUnit::Texels);
+        Status status;
+        int units = 0;
+        for (; status && tile && units < most; tile = nextBehind(projector, work)) {
+            status = computeBehind(projector, work, *tile);
+            ++units;
+        }
+        budget_.done(units);
+        if (!status) {
+            return status;
+        }
+    }
+    return true;
+}
+
+Status RasterTexels::computeBehind(CubeMapProjector& projector, Work& work, int tile) {
+    TileProgress& tiles = projector.tiles;
+    const TileProgress::Region region = tiles.region(tile);
+    const int pass = tiles.blockPasses(tile) % passes();
+    const int layer = 1 + tiles.blockPasses(tile) / passes();
+    if (Status status =
+            shading_.accumulateBehind(context_, work.capture, radius_(), region, layer, pass);
+        !status) {
+        return status;
+    }
+    if (pass + 1 == passes()) {
+        const auto block = projector.addBlock(store_, blocks_, tile);
+        if (!block) {
+            tiles.refuseBlock(tile); // it goes without
+            return store_.spare() > 0 ? block.status() : Status();
+        }
+        shading_.resolveBehind(context_, work.capture, projector, blocks_, *block, region, layer);
+        projector.showsMore = true;
+    }
+    tiles.setBlockPasses(tile, tiles.blockPasses(tile) + 1);
+    return {};
 }
 
 void RasterTexels::keep(const CubeMapProjector& projector, const Work& work, int tile) {

@@ -3,6 +3,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 
 #include "backbone/cubemapped/AbstractTexelSource.h"
@@ -11,13 +12,15 @@
 namespace aolib {
 
 /// Texels by rasterisation: the scene is captured on a cube map's faces, and a shader looks about
-/// in the capture. The capture is given back once all that is asked for is computed.
+/// in the capture. The capture is given back once all that is asked for is computed. With layers,
+/// the surfaces behind those that it sees are computed, too, in tiles in which some view asks for
+/// them.
 class RasterTexels final : public AbstractTexelSource {
 public:
     /// Errors: ShaderError. @param radius  asks for the reach of occluders, world units.
     static Result<std::unique_ptr<RasterTexels>> create(const BackboneContext& context,
                                                         const SceneGeometry& geometry,
-                                                        FaceStore& store,
+                                                        FaceStore& store, BlockStore& blocks,
                                                         std::function<float()> radius);
 
     /// What captures and computes, for whoever needs the same of other points.
@@ -29,6 +32,9 @@ public:
     bool lacks(const CubeMapProjector& projector) const override;
     bool capturing(CubeMapId id) const override;
     void forget(CubeMapId id) override { works_.erase(id); }
+    /// Something has changed within a region that a cube map does not see: what was captured of it
+    /// is of no use.
+    void changedBehind(CubeMapId id, const Bounds& region);
     std::size_t bytes() const override;
 
 private:
@@ -39,12 +45,14 @@ private:
         CubeMapCapture capture;
         std::set<int> tiles;  ///< that have had passes from this capture
         std::set<int> toKeep; ///< of these, those that are still to be written once more
+        Bounds changed;       ///< what is not as it was captured, out of sight
         int idleFrames = 0;
     };
 
     RasterTexels(const BackboneContext& context, const SceneGeometry& geometry, FaceStore& store,
-                 std::function<float()> radius)
-        : context_(context), geometry_(geometry), store_(store), radius_(std::move(radius)) {}
+                 BlockStore& blocks, std::function<float()> radius)
+        : context_(context), geometry_(geometry), store_(store), blocks_(blocks),
+          radius_(std::move(radius)) {}
 
     Result<Work*> begin(CubeMapProjector& projector);
     /// Goes on with a cube map while the frame has room. @return whether it has still.
@@ -52,6 +60,11 @@ private:
     Result<bool> goOnCapturing(CubeMapProjector& projector, Work& work);
     bool goOnComputing(CubeMapProjector& projector, Work& work);
     bool goOnKeeping(CubeMapProjector& projector, Work& work);
+    Result<bool> goOnBehind(CubeMapProjector& projector, Work& work);
+    /// A pass of a tile's block; after the last one it is kept.
+    Status computeBehind(CubeMapProjector& projector, Work& work, int tile);
+    /// The tile whose block is to be computed next: the one that was begun before others.
+    std::optional<int> nextBehind(const CubeMapProjector& projector, const Work& work) const;
     /// One pass over each of the tiles that need it most. @return how many.
     int computeTiles(CubeMapProjector& projector, Work& work, int most);
     void keep(const CubeMapProjector& projector, const Work& work, int tile);
@@ -59,6 +72,7 @@ private:
     const BackboneContext context_;
     const SceneGeometry& geometry_;
     FaceStore& store_;
+    BlockStore& blocks_;
     std::function<float()> radius_;
     DeferredShading shading_;
     FrameBudget budget_;

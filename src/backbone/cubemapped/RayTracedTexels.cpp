@@ -100,7 +100,7 @@ int RayTracedTexels::raysAfter(int passes) const {
 }
 
 bool RayTracedTexels::lacks(const CubeMapProjector& projector) const {
-    return projector.tiles.lacks(passes()) || projector.tiles.lacksDetail(passes());
+    return projector.tiles.lacks(passes()) || projector.tiles.lacksBlocks(passes());
 }
 
 int RayTracedTexels::passes() const {
@@ -179,10 +179,10 @@ void RayTracedTexels::request(const std::vector<CubeMapProjector*>& projectors) 
             if (tiles.asked(tile) && tiles.passes(tile) < most) {
                 wanted.push_back({tiles.passes(tile), false, projector, tile});
             }
-            if (tiles.needsDetail(tile)) {
+            if (tiles.blocksNeeded(tile) > 0) {
                 asked += 1;
-                if (tiles.detailPasses(tile) < most) {
-                    wanted.push_back({tiles.detailPasses(tile), true, projector, tile});
+                if (tiles.blockPasses(tile) < most) {
+                    wanted.push_back({tiles.blockPasses(tile), true, projector, tile});
                 }
             }
         }
@@ -203,7 +203,7 @@ void RayTracedTexels::request(const std::vector<CubeMapProjector*>& projectors) 
     for (const Wanted& one : wanted) {
         const CubeMapProjector& projector = *one.projector;
         const TileProgress::Region region = projector.tiles.region(one.tile);
-        const int scale = one.detail ? DetailStore::kScale : 1;
+        const int scale = one.detail ? blocks_.scale() : 1;
         const int before = raysAfter(one.passes);
         const Key key{number(projector), one.detail, one.tile, workOf(projector.id()).generation};
         queue.push_back({.key = key.packed(),
@@ -278,7 +278,7 @@ Status RayTracedTexels::take(CubeMapProjector& projector, const TracedTexels& tr
         return {};
     }
     if (traced.request.firstRay == 0 && isRough(traced)) {
-        projector.tiles.setRough(tile);
+        projector.tiles.offerBlocks(tile, 1);
     }
     const Status status = upload(projector, traced, sums);
     projector.tiles.setPasses(tile, projector.tiles.passes(tile) + 1);
@@ -290,7 +290,7 @@ Status RayTracedTexels::take(CubeMapProjector& projector, const TracedTexels& tr
 
 Status RayTracedTexels::takeDetail(CubeMapProjector& projector, const TracedTexels& traced,
                                    int tile) {
-    if (projector.tiles.detailPasses(tile) >= passes()) {
+    if (projector.tiles.blockPasses(tile) >= passes()) {
         return {}; // as above
     }
     Work& work = workOf(projector.id());
@@ -298,20 +298,20 @@ Status RayTracedTexels::takeDetail(CubeMapProjector& projector, const TracedTexe
     if (!projector.keeps(traced.request.face) || !add(sums, traced)) {
         return {};
     }
-    const auto block = projector.detailOf(store_, details_, tile);
+    const auto block = projector.blockOf(store_, blocks_, tile);
     if (!block) {
         if (store_.spare() > 0) {
             return block.status();
         }
-        projector.tiles.refuseDetail(tile); // what the face keeps has to do
+        projector.tiles.refuseBlock(tile); // what the face keeps has to do
         work.details.erase(tile);
         return {};
     }
     const Codes codes = encode(projector, traced, sums);
-    details_.upload(*block, traced.request.width, traced.request.height, codes.visibility,
-                    codes.depth);
-    projector.tiles.setDetailPasses(tile, projector.tiles.detailPasses(tile) + 1);
-    if (projector.tiles.detailPasses(tile) >= passes()) {
+    blocks_.upload(*block, traced.request.width, traced.request.height, codes.visibility,
+                   codes.depth);
+    projector.tiles.setBlockPasses(tile, projector.tiles.blockPasses(tile) + 1);
+    if (projector.tiles.blockPasses(tile) >= passes()) {
         work.details.erase(tile);
     }
     return {};

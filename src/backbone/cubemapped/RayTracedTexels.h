@@ -13,9 +13,9 @@ namespace aolib {
 /// uploaded. Each pass continues the rays of a tile; the GPU does nothing but take the results.
 class RayTracedTexels final : public AbstractTexelSource {
 public:
-    RayTracedTexels(const BackboneContext& context, FaceStore& store, DetailStore& details,
+    RayTracedTexels(const BackboneContext& context, FaceStore& store, BlockStore& details,
                     TracerQueue& queue)
-        : context_(context), store_(store), details_(details), queue_(queue) {}
+        : context_(context), store_(store), blocks_(details), queue_(queue) {}
 
     /// What was queued is lost: the tracer has another scene.
     void sceneChanged();
@@ -64,7 +64,7 @@ private:
 
     const BackboneContext context_;
     FaceStore& store_;
-    DetailStore& details_;
+    BlockStore& blocks_;
     TracerQueue& queue_;
     float radius_ = 1.0F;
     std::map<CubeMapId, Work> works_;

@@ -14,7 +14,7 @@ namespace aolib {
 
 namespace {
 
-/// The number of the best cube map, which the lowest bits of a footprint tell
+/// The number of a point's cube map, which the lowest bits of a footprint tell
 /// (shaders/cubemap/survey.frag).
 std::size_t cubeMapOf(float footprint) {
     return std::bit_cast<std::uint32_t>(footprint) & 63U;
@@ -23,7 +23,7 @@ std::size_t cubeMapOf(float footprint) {
 } // namespace
 
 Result<Survey> Survey::create(const BackboneContext& context) {
-    auto shader = buildShader(context.gl, "fullscreen.vert", "cubemap/survey.frag", {"AO_DETAIL"});
+    auto shader = buildShader(context.gl, "fullscreen.vert", "cubemap/survey.frag", {"AO_BLOCKS"});
     if (!shader) {
         return shader.status();
     }
@@ -74,21 +74,29 @@ void Survey::take(const BackboneContext& context, const Frame& frame, const Host
 }
 
 Survey::Answer Survey::evaluate(const Request& request, std::span<const std::uint8_t> pixels) {
-    Answer answer{
-        .frame = request.frame, .eye = request.eye, .points = {}, .footprints = {}, .best = {}};
+    Answer answer{.frame = request.frame,
+                  .eye = request.eye,
+                  .points = {},
+                  .footprints = {},
+                  .hiddenFrom = {},
+                  .best = {}};
     std::vector<std::size_t> shadedBy(request.cubeMaps.size() + 1, 0);
     std::size_t shaded = 0;
     answer.points.reserve(pixels.size() / sizeof(glm::vec4));
     answer.footprints.reserve(pixels.size() / sizeof(glm::vec4));
+    answer.hiddenFrom.reserve(pixels.size() / sizeof(glm::vec4));
     for (std::size_t i = 0; i + sizeof(glm::vec4) <= pixels.size(); i += sizeof(glm::vec4)) {
         glm::vec4 sample;
         std::memcpy(&sample, pixels.data() + i, sizeof(sample));
         if (sample.w != 0.0F) {
             answer.points.emplace_back(sample);
             answer.footprints.push_back(std::abs(sample.w));
+            const std::size_t cubeMap = std::min(cubeMapOf(sample.w), request.cubeMaps.size());
+            const bool hidden = sample.w < 0.0F && cubeMap < request.cubeMaps.size();
+            answer.hiddenFrom.push_back(hidden ? request.cubeMaps[cubeMap] : CubeMapId{});
             if (sample.w > 0.0F) {
                 ++shaded;
-                ++shadedBy[std::min(cubeMapOf(sample.w), request.cubeMaps.size())];
+                ++shadedBy[cubeMap];
             }
         }
     }

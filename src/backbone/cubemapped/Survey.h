@@ -29,6 +29,9 @@ public:
         glm::dvec3 eye{0.0};           ///< of that frame, world units
         std::vector<glm::vec3> points; ///< of the surfaces, relative to the eye, world axes
         std::vector<float> footprints; ///< what a pixel covers there, square on, world units
+        /// By point: the cube map that might know the surface, but for another before it; 0 where
+        /// some cube map knows it or none looks that way.
+        std::vector<CubeMapId> hiddenFrom;
         /// Share of the surfaces that a cube map shades, as the best of all; none for those that
         /// are best nowhere.
         std::map<CubeMapId, float> best;

@@ -11,9 +11,6 @@ namespace {
 /// sparsely, and lookups are bilinear.
 constexpr float kNear = 8.0F;
 
-/// Texels of detail per texel.
-constexpr std::int64_t kDetailWeight = 16;
-
 } // namespace
 
 TileProgress::TileProgress(int faceSize)
@@ -27,8 +24,7 @@ TileProgress::Region TileProgress::region(int tile) const {
     return {tile / perFace, x, y, std::min(kTile, faceSize_ - x), std::min(kTile, faceSize_ - y)};
 }
 
-void TileProgress::ask(int face, const glm::vec2& at, bool fine) {
-    const bool detail = fine && faceSize_ >= kDetailScale * kTile;
+void TileProgress::ask(int face, const glm::vec2& at, int perBlock) {
     const auto tileOf = [&](float texel) {
         return std::clamp(static_cast<int>(texel) / kTile, 0, perEdge_ - 1);
     };
@@ -40,42 +36,43 @@ void TileProgress::ask(int face, const glm::vec2& at, bool fine) {
             Tile& tile =
                 tiles_[static_cast<std::size_t>((face * perEdge_ + row) * perEdge_ + column)];
             tile.asked = true;
-            tile.fine = tile.fine || detail;
+            if (perBlock > 0 && tile.blockPasses >= perBlock * tile.blocksAsked) {
+                tile.blocksAsked = static_cast<std::uint8_t>(std::min(tile.blocksAsked + 1, 255));
+            }
         }
     }
 }
 
-void TileProgress::setDetailPasses(int tile, int passes) {
-    tiles_[static_cast<std::size_t>(tile)].detailPasses = static_cast<std::uint16_t>(passes);
+void TileProgress::setBlockPasses(int tile, int passes) {
+    tiles_[static_cast<std::size_t>(tile)].blockPasses = static_cast<std::uint16_t>(passes);
 }
 
-bool TileProgress::lacksDetail(int passes) const {
+bool TileProgress::lacksBlocks(int perBlock) const {
     return std::any_of(tiles_.begin(), tiles_.end(), [&](const Tile& tile) {
-        return tile.detail() && tile.detailPasses < passes;
+        return tile.blockPasses < perBlock * tile.blocksNeeded();
     });
 }
 
-bool TileProgress::refusedDetail() const {
+bool TileProgress::refusedBlock() const {
     return std::any_of(tiles_.begin(), tiles_.end(), [](const Tile& tile) { return tile.refused; });
 }
 
-void TileProgress::allowDetail() {
+void TileProgress::allowBlocks() {
     for (Tile& tile : tiles_) {
         tile.refused = false;
     }
 }
 
-TileProgress::Share TileProgress::share(int passes) const {
+TileProgress::Share TileProgress::share(int passes, int blockWeight) const {
     Share share;
     for (const Tile& tile : tiles_) {
         if (tile.asked) {
             share.done += tile.passes;
             share.needed += passes;
         }
-        if (tile.detail()) { // so many more texels
-            share.done += kDetailWeight * tile.detailPasses;
-            share.needed += kDetailWeight * passes;
-        }
+        const std::int64_t blocks = std::int64_t{blockWeight} * tile.blocksNeeded();
+        share.needed += blocks * passes;
+        share.done += std::min(std::int64_t{blockWeight} * tile.blockPasses, blocks * passes);
     }
     return share;
 }
@@ -119,9 +116,9 @@ std::vector<int> TileProgress::mostUrgent(int most) const {
 void TileProgress::restart() {
     for (Tile& tile : tiles_) {
         tile.passes = 0;
-        tile.rough = false;
+        tile.offered = 0;
         tile.refused = false;
-        tile.detailPasses = 0;
+        tile.blockPasses = 0;
     }
 }
 

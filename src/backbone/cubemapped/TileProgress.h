@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -13,8 +14,7 @@ inline constexpr int kFaces = 6;
 /// of whatever computes it. No GL.
 class TileProgress {
 public:
-    static constexpr int kTile = 32;       ///< texels along a tile's edge
-    static constexpr int kDetailScale = 4; ///< texels of detail along a texel
+    static constexpr int kTile = 32; ///< texels along a tile's edge
 
     struct Region {
         int face = 0;
@@ -33,10 +33,10 @@ public:
 
     /// Asks for the tile that a point of a face lies in, and for its neighbour where the point is
     /// near their border.
-    /// @param at    texels
-    /// @param fine  for detail, too, where the tile turns out to be rough. Faces smaller than a
-    ///              tile's detail have none: it lies in layers of their size.
-    void ask(int face, const glm::vec2& at, bool fine = false);
+    /// @param at        texels
+    /// @param perBlock  passes that blocks need; where they are more than 0, for a block, too: the
+    ///                  first, or one more than there are complete
+    void ask(int face, const glm::vec2& at, int perBlock = 0);
     void askAll();
     bool asked(int tile) const { return tiles_[static_cast<std::size_t>(tile)].asked; }
 
@@ -48,24 +48,35 @@ public:
     bool lacks(int passes) const;
     /// The tiles that are asked for and have had the fewest passes, below `most`.
     std::vector<int> mostUrgent(int most) const;
-    // ---- Detail: tiles that a view shows finer than their texels, and in which surfaces end.
+    // ---- Blocks: what a tile keeps beside its texels (BlockStore) where a view asks for it.
 
-    void setRough(int tile) { tiles_[static_cast<std::size_t>(tile)].rough = true; }
-    bool needsDetail(int tile) const { return tiles_[static_cast<std::size_t>(tile)].detail(); }
-    /// There is no room for a tile's detail: it needs none until allowDetail().
-    void refuseDetail(int tile) { tiles_[static_cast<std::size_t>(tile)].refused = true; }
-    bool refusedDetail() const;
-    void allowDetail();
-    int detailPasses(int tile) const { return tiles_[static_cast<std::size_t>(tile)].detailPasses; }
-    void setDetailPasses(int tile, int passes);
-    bool lacksDetail(int passes) const;
+    /// So many blocks of a tile would tell what its texels do not.
+    void offerBlocks(int tile, int count) {
+        tiles_[static_cast<std::size_t>(tile)].offered = static_cast<std::uint8_t>(count);
+    }
+    /// Blocks that the tile is to have.
+    int blocksNeeded(int tile) const {
+        return tiles_[static_cast<std::size_t>(tile)].blocksNeeded();
+    }
+    /// There is no room for a tile's blocks: it needs none until allowBlocks().
+    void refuseBlock(int tile) { tiles_[static_cast<std::size_t>(tile)].refused = true; }
+    bool refusedBlock() const;
+    void allowBlocks();
+    /// Passes that a tile's blocks have had, one after the other.
+    int blockPasses(int tile) const { return tiles_[static_cast<std::size_t>(tile)].blockPasses; }
+    void setBlockPasses(int tile, int passes);
+    bool lacksBlocks(int tile, int perBlock) const {
+        return blockPasses(tile) < perBlock * blocksNeeded(tile);
+    }
+    bool lacksBlocks(int perBlock) const;
 
-    /// Passes that what is asked for has had, and those that it needs when each needs so many.
+    /// Passes that what is asked for has had, and those that it needs when each needs so many: in
+    /// passes over a tile, of which a block has `blockWeight` times as many texels.
     struct Share {
         std::int64_t done = 0;
         std::int64_t needed = 0;
     };
-    Share share(int passes) const;
+    Share share(int passes, int blockWeight) const;
 
     /// Nothing is computed any more; what was asked for stays.
     void restart();
@@ -73,12 +84,12 @@ public:
 private:
     struct Tile {
         bool asked = false;
-        bool fine = false;
-        bool rough = false;
         bool refused = false;
+        std::uint8_t blocksAsked = 0;
+        std::uint8_t offered = 0;
         std::uint16_t passes = 0;
-        std::uint16_t detailPasses = 0;
-        bool detail() const { return fine && rough && !refused; }
+        std::uint16_t blockPasses = 0;
+        int blocksNeeded() const { return refused ? 0 : std::min(blocksAsked, offered); }
     };
     int faceSize_ = 0;
     int perEdge_ = 0;

@@ -30,7 +30,7 @@ constexpr auto kAsker = TracerQueue::Asker::Pixels;
 
 Result<std::unique_ptr<AbstractPixelSource>> TracedPixels::create(const BackboneContext& context,
                                                                   TracerQueue& queue) {
-    auto shader = buildShader(context.gl, "fullscreen.vert", "cubemap/doubt.frag", {"AO_DETAIL"});
+    auto shader = buildShader(context.gl, "fullscreen.vert", "cubemap/doubt.frag", {"AO_BLOCKS"});
     if (!shader) {
         return shader.status();
     }

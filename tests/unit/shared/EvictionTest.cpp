@@ -66,9 +66,9 @@ TEST_F(EvictionTest, OneThatGoesAlreadyIsTheOne) {
 }
 
 TEST_F(EvictionTest, DetailPushesOutOnlyWhatNobodySees) {
-    EXPECT_EQ(victim(Eviction::For::Detail), -1);
+    EXPECT_EQ(victim(Eviction::For::Block), -1);
     use(1).surveysUnseen = 1000;
-    EXPECT_EQ(victim(Eviction::For::Detail), 1);
+    EXPECT_EQ(victim(Eviction::For::Block), 1);
 }
 
 TEST_F(EvictionTest, UsefulnessFollowsTheViewAndFallsWhenNobodyLooks) {

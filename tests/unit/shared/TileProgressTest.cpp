@@ -57,5 +57,36 @@ TEST(TileProgressTest, ThePoorestComeFirst) {
     EXPECT_TRUE(tiles.asked(0)) << "what was asked for stays";
 }
 
+TEST(TileProgressTest, BlocksAreAskedForOneAfterTheOther) {
+    constexpr int kPerBlock = 4;
+    TileProgress tiles(64);
+    const glm::vec2 middle(16.0F, 16.0F);
+    tiles.ask(0, middle);
+    EXPECT_EQ(tiles.blocksNeeded(0), 0) << "nobody asks";
+    tiles.ask(0, middle, kPerBlock);
+    EXPECT_EQ(tiles.blocksNeeded(0), 0) << "nothing is offered";
+    tiles.offerBlocks(0, 2);
+    EXPECT_EQ(tiles.blocksNeeded(0), 1);
+    EXPECT_TRUE(tiles.lacksBlocks(kPerBlock));
+    tiles.setBlockPasses(0, kPerBlock - 1);
+    tiles.ask(0, middle, kPerBlock);
+    EXPECT_EQ(tiles.blocksNeeded(0), 1) << "one is on its way";
+    EXPECT_EQ(tiles.share(8, 3).needed, 8 + 3 * 8);
+    EXPECT_EQ(tiles.share(8, 3).done, 3 * (kPerBlock - 1));
+    tiles.setBlockPasses(0, kPerBlock);
+    EXPECT_FALSE(tiles.lacksBlocks(kPerBlock));
+    tiles.ask(0, middle, kPerBlock);
+    EXPECT_EQ(tiles.blocksNeeded(0), 2);
+    tiles.setBlockPasses(0, 2 * kPerBlock);
+    tiles.ask(0, middle, kPerBlock);
+    EXPECT_EQ(tiles.blocksNeeded(0), 2) << "there are no more";
+    tiles.refuseBlock(0);
+    EXPECT_EQ(tiles.blocksNeeded(0), 0);
+    tiles.allowBlocks();
+    EXPECT_EQ(tiles.blocksNeeded(0), 2);
+    tiles.restart();
+    EXPECT_EQ(tiles.blocksNeeded(0), 0) << "what there is to offer is not known yet";
+}
+
 } // namespace
 } // namespace aolib

@@ -1,10 +1,10 @@
-#include "backbone/cubemapped/DetailStore.h"
+#include "backbone/cubemapped/BlockStore.h"
 
 #include <optional>
 
 namespace aolib {
 
-Result<int> DetailStore::take() {
+Result<int> BlockStore::take() {
     std::optional<int> taken = slots_.take();
     if (!taken) {
         const auto layer = faces_->take();
@@ -18,7 +18,7 @@ Result<int> DetailStore::take() {
     return *taken;
 }
 
-void DetailStore::giveBack(int block) {
+void BlockStore::giveBack(int block) {
     if (slots_.giveBack(block)) {
         for (const int layer : layers_) {
             faces_->giveBack(layer);
@@ -28,16 +28,22 @@ void DetailStore::giveBack(int block) {
     }
 }
 
-FaceStore::Page DetailStore::page(int block) const {
+FaceStore::Page BlockStore::page(int block) const {
     const int inLayer = block % perLayer();
     return {layers_[static_cast<std::size_t>(block / perLayer())],
             {inLayer % perRow(), inLayer / perRow()}};
 }
 
-void DetailStore::upload(int block, int width, int height, std::span<const std::uint8_t> visibility,
-                         std::span<const std::uint16_t> depth) const {
+void BlockStore::upload(int block, int width, int height, std::span<const std::uint8_t> visibility,
+                        std::span<const std::uint16_t> depth) const {
     const FaceStore::Page where = page(block);
-    faces_->upload(where.layer, kBlock * where.at, {width, height}, visibility, depth);
+    faces_->upload(where.layer, edge() * where.at, {width, height}, visibility, depth);
+}
+
+glm::ivec2 BlockStore::begin(int block) const {
+    const FaceStore::Page where = page(block);
+    faces_->begin(where.layer);
+    return edge() * where.at;
 }
 
 } // namespace aolib

@@ -41,6 +41,7 @@ Result<BakeVertices> GpuBake::upload(int width, int height, const Facets* facets
 Result<int> GpuBake::addDirections(const DirectionPlan& plan, const BakeProgress& progress,
                                    const AddViews& add,
                                    const std::function<bool(int done)>& goOn) const {
+    const FrameBox box = plan.box.value_or(FrameBox{glm::dvec3(0.0), frame.halfExtent()});
     std::vector<LightView> views;
     for (int first = plan.first; first < plan.last; first += plan.atOnce) {
         if (progress && !progress(double(first - plan.first) / double(plan.last - plan.first))) {
@@ -51,7 +52,7 @@ Result<int> GpuBake::addDirections(const DirectionPlan& plan, const BakeProgress
         for (int i = first; i < next; ++i) {
             const auto index = static_cast<std::uint32_t>(i);
             const glm::dvec3 direction = lightDirection(plan.sky, geometry.up(), plan.seed, index);
-            views.push_back(lightView(frame, direction, plan.pictureSize, plan.seed, index));
+            views.push_back(lightView(frame, box, direction, plan.pictureSize, plan.seed, index));
         }
         {
             const gl::StateGuard guard(*gl);

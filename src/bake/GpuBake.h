@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <new>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -19,10 +20,11 @@ namespace aolib::bake {
 
 /// The directions of light of a bake, and the pictures taken along them.
 struct DirectionPlan {
-    int first = 0;       ///< direction
-    int last = 0;        ///< direction, not among them
-    int atOnce = 1;      ///< pictures between two calls of the progress callback
-    int pictureSize = 0; ///< pixels along a picture's side
+    int first = 0;                    ///< direction
+    int last = 0;                     ///< direction, not among them
+    int atOnce = 1;                   ///< pictures between two calls of the progress callback
+    int pictureSize = 0;              ///< pixels along a picture's side
+    std::optional<FrameBox> box = {}; ///< what pictures show; none: the scene
     Sky sky = Sky::Sphere;
     std::uint32_t seed = 0;
 };

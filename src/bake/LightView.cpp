@@ -16,8 +16,9 @@ namespace {
 /// Pixels that stay free along each border: the view is moved by up to one.
 constexpr double margin = 1.5;
 
-/// What is thinner than this share of the frame still gets a view of some width.
-constexpr double leastExtent = 1e-6;
+/// What is thinner than this share of the frame still gets a view of some width: so wide that
+/// floats tell its pixels apart.
+constexpr double leastExtent = 1e-3;
 
 double unit(std::uint32_t reversed) {
     return (double(bitReversed(reversed)) + 0.5) * 0x1p-32;
@@ -43,22 +44,24 @@ glm::dvec3 lightDirection(Sky sky, const glm::dvec3& up, std::uint32_t seed, std
     return basisAbout(up) * glm::dvec3(across * std::cos(angle), across * std::sin(angle), height);
 }
 
-LightView lightView(const BakeFrame& frame, const glm::dvec3& direction, int size,
-                    std::uint32_t seed, std::uint32_t index) {
+LightView lightView(const BakeFrame& frame, const FrameBox& box, const glm::dvec3& direction,
+                    int size, std::uint32_t seed, std::uint32_t index) {
     RandomSequence random(seed, index);
     const double angle = 2.0 * std::numbers::pi * random.next();
     const glm::dmat3 basis = basisAbout(direction);
     const glm::dvec3 x = std::cos(angle) * basis[0] + std::sin(angle) * basis[1];
     const glm::dvec3 y = glm::cross(direction, x);
-    const auto reach = [&](const glm::dvec3& axis) {
-        return std::max(leastExtent, glm::dot(glm::abs(axis), frame.halfExtent()));
+    const auto reach = [](const glm::dvec3& axis, const glm::dvec3& half) {
+        return std::max(leastExtent, glm::dot(glm::abs(axis), half));
     };
-    const glm::dvec3 extent(reach(x), reach(y), reach(direction));
+    const glm::dvec3 extent(reach(x, box.half), reach(y, box.half),
+                            reach(direction, frame.halfExtent()));
     const double inner = double(size) - 2.0 * margin;
     LightView view;
     view.direction = direction;
     view.pixel = 2.0 * glm::dvec2(extent) / inner;
     const glm::dvec2 scale = inner / (double(size) * glm::dvec2(extent));
+    const glm::dvec2 middle = glm::dvec2(glm::dot(x, box.centre), glm::dot(y, box.centre)) * scale;
     const glm::dvec2 shift = (glm::dvec2(random.next(), random.next()) - 0.5) * 2.0 / double(size);
     // A little more than the scene's depth, so that no plane cuts it.
     const double depth = -0.999 / extent.z;
@@ -66,7 +69,7 @@ LightView lightView(const BakeFrame& frame, const glm::dvec3& direction, int siz
     for (int axis = 0; axis < 3; ++axis) {
         matrix[axis] = {x[axis] * scale.x, y[axis] * scale.y, direction[axis] * depth, 0.0};
     }
-    matrix[3] = {shift.x, shift.y, 0.0, 1.0};
+    matrix[3] = {shift.x - middle.x, shift.y - middle.y, 0.0, 1.0};
     view.toClip = glm::mat4(matrix);
     return view;
 }

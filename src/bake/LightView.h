@@ -31,20 +31,27 @@ private:
     glm::dvec3 halfExtent_;
 };
 
+/// A box in the frame.
+struct FrameBox {
+    glm::dvec3 centre{0.0};
+    glm::dvec3 half{0.0}; ///< its sides
+};
+
 /// Directions towards the light, unit length, uniform over the sky: Sobol's points scrambled, so
 /// that whatever number of them has been used so far is spread well.
 /// @param up  of `Sky::Dome`, unit length.
 glm::dvec3 lightDirection(Sky sky, const glm::dvec3& up, std::uint32_t seed, std::uint32_t index);
 
-/// The parallel projection along a direction that just holds the scene. It is turned about the
-/// direction and moved by less than a pixel, by chance, so that no texel is missed from everywhere.
+/// The parallel projection along a direction that just holds a box across it, and the whole scene
+/// along it: what lies beside the box takes no light from it. It is turned about the direction and
+/// moved by less than a pixel, by chance, so that no texel is missed from everywhere.
 struct LightView {
     glm::dvec3 direction{0.0}; ///< towards the light
     glm::mat4 toClip{1.0F};    ///< from the frame; the light sees what has the least depth
     glm::dvec2 pixel{0.0};     ///< a pixel's sides, frame units
 };
 
-LightView lightView(const BakeFrame& frame, const glm::dvec3& direction, int size,
-                    std::uint32_t seed, std::uint32_t index);
+LightView lightView(const BakeFrame& frame, const FrameBox& box, const glm::dvec3& direction,
+                    int size, std::uint32_t seed, std::uint32_t index);
 
 } // namespace aolib::bake

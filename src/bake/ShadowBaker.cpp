@@ -1,9 +1,13 @@
 #include "bake/ShadowBaker.h"
 
 #include <algorithm>
+#include <limits>
 #include <new>
 #include <string>
 #include <utility>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "bake/CheckOptions.h"
 #include "bake/MapLoop.h"
@@ -18,6 +22,27 @@ namespace {
 
 /// Columns of the grid that vertices are put into, where they fit.
 constexpr int leastColumns = 1024;
+
+/// The box about receivers, and about where they are lifted to.
+/// @param texels  how far that is at most.
+FrameBox boxOf(const BakeFrame& frame, std::span<const std::optional<SurfacePoint>> receivers,
+               double texels, int depthSize) {
+    glm::dvec3 low(std::numeric_limits<double>::infinity());
+    glm::dvec3 high = -low;
+    for (const std::optional<SurfacePoint>& receiver : receivers) {
+        if (receiver) {
+            const glm::dvec3 place(frame.toFrame(receiver->position));
+            low = glm::min(low, place);
+            high = glm::max(high, place);
+        }
+    }
+    if (low.x > high.x) {
+        return {};
+    }
+    const glm::dvec3 half = 0.5 * (high - low);
+    const double texel = 2.0 * glm::length(half) / double(depthSize);
+    return {0.5 * (low + high), half + texels * texel};
+}
 
 } // namespace
 
@@ -45,6 +70,7 @@ Status ShadowBaker::add(ShadowPasses& passes, const BakeVertices& vertices, Rece
     plan.last = directions.last;
     plan.atOnce = passes.mapsPerPass();
     plan.pictureSize = passes.depthSize();
+    plan.box = boxOf(gpu_.frame, receivers, double{options_.bias}, passes.depthSize());
     plan.sky = options_.sky;
     plan.seed = options_.seed;
     const auto add = [&](std::span<const LightView> views) {

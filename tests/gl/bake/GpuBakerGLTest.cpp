@@ -40,6 +40,23 @@ TEST_P(GpuBakerGLTest, FloorBesideAWallIsAsDarkAsTheFormFactorSays) {
     expectWallsShadow(onlyMap(*shadow(floorBesideShortWall(), maps), 16), 0.02);
 }
 
+TEST_P(GpuBakerGLTest, DepthMapsShowWhatIsLitHoweverFarItsOccludersReach) {
+    // The wall is a thousand times as long as the floor; a few texels of the floor are wanted.
+    ShadowOptions maps;
+    maps.directions = 256;
+    maps.depthSize = 256;
+    const auto baker = shadow(floorBesideWall(0.5), maps);
+    expectWallsShadow(onlyMap(*baker, 16), 0.02);
+    MapOptions options;
+    options.width = options.height = 16;
+    options.wanted.assign(256, 0);
+    options.wanted[8 * 16 + 2] = 1;
+    options.fill = false;
+    const auto one = baker->bakeMaps(options, {});
+    ASSERT_TRUE(one.ok());
+    EXPECT_NEAR(one->front().visibility[8 * 16 + 2], 1.0 - wallOcclusion(0.5, 2.5 / 16.0), 0.03);
+}
+
 TEST_P(GpuBakerGLTest, WantedTexelsHaveTheirValuesAndTheOthersNone) {
     ScatterOptions points;
     points.directions = 16;

@@ -285,15 +285,21 @@ TEST_P(FrameBudgetWalk, DISABLED_Holds) {
             converged = walk(*with, camera, false);
         }
     }
-    const double projection = percentile(converged, 0.5);
-    const double unit = percentile(units, 0.99) - projection;
+    // What a frame takes beyond the projection of the same view, once all is computed.
+    const auto beyond = [&](std::vector<double> times) {
+        for (std::size_t k = 0; k < times.size(); ++k) {
+            times[k] -= converged[k];
+        }
+        return percentile(times, 0.99);
+    };
     report("walk median ms", percentile(within, 0.5));
     report("walk 99th percentile ms", percentile(within, 0.99));
     report("walk longest ms", percentile(within, 1.0));
-    report("projection median ms", projection);
+    report("projection median ms", percentile(converged, 0.5));
     report("projection 99th percentile ms", percentile(converged, 0.99));
-    report("one unit 99th percentile ms", unit);
-    report("budget and projection and one unit ms", double{kBudget} + projection + unit);
+    report("beyond projection 99th percentile ms", beyond(within));
+    report("one unit 99th percentile ms", beyond(units));
+    report("budget and one unit ms", double{kBudget} + beyond(units));
 }
 
 AOLIB_FOR_ALL_ESTIMATORS(FrameBudgetWalk);

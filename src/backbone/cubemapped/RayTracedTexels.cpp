@@ -21,8 +21,8 @@ constexpr int kFirstRays = 16;
 constexpr int kSecondRays = 64;
 /// Tiles queued at a time: enough to keep workers busy between frames.
 constexpr std::size_t kQueue = 512;
-/// Results that are taken before the clock is looked at again.
-constexpr std::size_t kAtATime = 4;
+/// Results that are taken before the clock is looked at again: a block of detail takes a while.
+constexpr std::size_t kAtATime = 1;
 
 /// Two neighbouring texels are one surface when the second lies on the first's tangent plane to
 /// within this many footprints, their normals agree by this cosine, and W by this much.

@@ -15,7 +15,7 @@ namespace aolib {
 
 namespace {
 
-constexpr std::size_t sectorCount = std::tuple_size_v<lighting::OpenSectors>;
+constexpr std::size_t sectorCount = std::tuple_size_v<OpenSectors>;
 
 glm::vec3 unitOrZero(const glm::dvec3& v) {
     const double length = glm::length(v);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -9,6 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include <aolib/BakeExport.h>
+#include <aolib/OpenSectors.h>
 #include <aolib/ProcAddressLoader.h>
 #include <aolib/Status.h>
 #include <aolib/bake/AbstractMapsSoFar.h>
@@ -39,17 +39,12 @@ struct BakedMap {
     std::vector<TexelKind> kind;       ///< before padding
 };
 
-/// How open each of 24 sectors of directions is, 0 to 1, by the measure: the open rays of those
-/// that a receiver sent there; W where it sent none. Sectors are the faces of a cube along world
-/// space's axes, each in quarters; number: 8 for each axis (x, y, z), 1, 2 and 4 where x, y and z
-/// are positive. `aolib::lighting::sectorLight()` lights by them. Since 0.1.
-using OpenSectors = std::array<float, 24>;
-
 /// Values of one surface's vertices, as many as it has positions. Since 0.1.
 struct BakedVertices {
     std::vector<float> visibility;     ///< 0 to 1; 1 where no triangle with an area uses it
     std::vector<glm::vec3> bentNormal; ///< as in BakedMap
-    std::vector<OpenSectors> sectors;  ///< where asked for, else none
+    std::vector<OpenSectors> sectors;  ///< the open rays of those that a vertex sent to each, W
+                                      ///< where it sent none; where asked for, else none
 };
 
 /// Computes visibility W and bent normals of a scene, by whatever method. Directions below a

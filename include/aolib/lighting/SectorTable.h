@@ -1,22 +1,16 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
 #include <aolib/LightingExport.h>
+#include <aolib/OpenSectors.h>
 #include <aolib/Status.h>
 #include <aolib/lighting/EnvironmentMap.h>
 
 namespace aolib::lighting {
-
-/// How open each of 24 sectors of directions is for a surface, 0 to 1, by the cosine about its
-/// normal: what `aolib::bake::RayOptions::sectors` asks for. Sectors are the faces of a cube along
-/// the axes, each in quarters; number: 8 for each axis (x, y, z), 1, 2 and 4 where x, y and z are
-/// positive. Since 0.1.
-using OpenSectors = std::array<float, 24>;
 
 /// The sector of a direction, any length but zero.
 AOLIB_LIGHTING_EXPORT int sectorOfDirection(const glm::vec3& direction);

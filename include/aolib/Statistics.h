@@ -29,7 +29,8 @@ struct Statistics {
     std::uint64_t frame = 0;                    ///< frames ended so far
     Estimator estimator = Estimator::Automatic; ///< in force: the one that Automatic chose, too
     float coverage = -1.0F;            ///< share of geometry pixels that are shaded; -1 until known
-    std::uint64_t coverageFrame = 0;   ///< the frame that `coverage` was counted in
+    /// The frame that `coverage` was counted in: a few back, up to a dozen for a view at rest.
+    std::uint64_t coverageFrame = 0;
     int cubeMapsProjected = 0;         ///< in the latest frame
     int cubeMapsBuilt = 0;             ///< in the latest frame, placed or rebuilt
     std::uint64_t cubeMapsEvicted = 0; ///< so far, to keep the memory budget

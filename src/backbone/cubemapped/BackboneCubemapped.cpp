@@ -15,6 +15,10 @@ namespace aolib {
 
 namespace {
 
+/// Frames between surveys of a view at rest for which nothing is left to do: the host may draw what
+/// it has not described.
+constexpr std::uint64_t kFramesBetweenIdleSurveys = 8;
+
 template <typename Part>
 Status make(std::optional<Part>& part, const BackboneContext& context) {
     Result<Part> created = Part::create(context);
@@ -225,6 +229,9 @@ Status BackboneCubemapped::placeWhereDue(const Frame& frame) {
 void BackboneCubemapped::heedSurvey(const std::vector<CubeMapProjector*>& projectors) {
     const auto answer = survey_->poll();
     if (!answer) {
+        if (nothingToSurvey()) { // another would have said the same
+            Eviction::follow(cubeMaps_.all(), latestSurvey_->best);
+        }
         return;
     }
     latestSurvey_ = answer;
@@ -263,7 +270,7 @@ Status BackboneCubemapped::prepare(const Frame& frame) {
     texelsComplete_ = true;
     for (CubeMapProjector* projector : used) {
         if (std::exchange(projector->showsMore, false)) {
-            projector->surveysBefore = framesSurveyed_;
+            projector->surveysBefore = frames_;
         }
         texelsComplete_ =
             texelsComplete_ && schedule_.finished(*projector) &&
@@ -290,7 +297,8 @@ void BackboneCubemapped::repair(const Frame& frame) {
         };
         repairStatus_ = repair_.advance(view, budget);
     }
-    converged_ = texelsComplete_ && repair_.done();
+    const bool before = std::exchange(converged_, texelsComplete_ && repair_.done());
+    convergedIn_ = converged_ && !before ? frames_ + 1 : convergedIn_;
 }
 
 KeptTexels BackboneCubemapped::kept() const {
@@ -315,9 +323,17 @@ Result<const gl::RenderToTexture2D*> BackboneCubemapped::computeVisibility(const
     return projection_->apply(context_, frame, host_, kept(), projected_);
 }
 
+bool BackboneCubemapped::nothingToSurvey() const {
+    return converged_ && latestSurvey_ && latestSurvey_->frame >= convergedIn_ &&
+           latestSurvey_->frame + repair_.framesAtRest() >= frames_;
+}
+
 Status BackboneCubemapped::finishFrame(const Frame& frame) {
-    survey_->take(context_, frame, host_, {cubeMaps_.store(), cubeMaps_.blocks()}, projected_,
-                  ++framesSurveyed_);
+    ++frames_;
+    if (!nothingToSurvey() || frames_ % kFramesBetweenIdleSurveys == 0) {
+        survey_->take(context_, frame, host_, {cubeMaps_.store(), cubeMaps_.blocks()}, projected_,
+                      frames_);
+    }
     if (context_.options.cubeMaps.outlines) {
         outlines_->draw(context_, frame, cubeMaps_.nearest(frame.position));
     }

@@ -59,6 +59,8 @@ private:
     Result<CubeMapId> place(const glm::vec3& position, bool byHand);
     /// Places a cube map at the camera if one is due.
     Status placeWhereDue(const Frame& frame);
+    /// The latest survey saw this view, as it is now that nothing is left to compute.
+    bool nothingToSurvey() const;
     /// Takes the survey's answers: coverage, and what cube maps are asked for.
     void heedSurvey(const std::vector<CubeMapProjector*>& projectors);
     /// Computes pixels of a view at rest whose cube maps are complete.
@@ -80,10 +82,11 @@ private:
     std::optional<Survey::Answer> latestSurvey_; ///< of the cube maps as they are
     Survey::Answer shownSurvey_{
         .frame = 0, .shaded = -1.0F, .points = {}, .footprints = {}, .hiddenFrom = {}, .best = {}};
-    std::uint64_t framesSurveyed_ = 0;
+    std::uint64_t frames_ = 0;                 ///< ended
     std::vector<CubeMapProjector*> projected_; ///< in the latest frame
-    bool texelsComplete_ = true; ///< of the cube maps in use, as far as views ask for them
-    bool converged_ = true;      ///< and nothing is left to repair
+    bool texelsComplete_ = true;    ///< of the cube maps in use, as far as views ask for them
+    bool converged_ = true;         ///< and nothing is left to repair
+    std::uint64_t convergedIn_ = 0; ///< the frame in which that came true
 };
 
 } // namespace aolib

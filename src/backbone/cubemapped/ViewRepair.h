@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 
 #include "backbone/cubemapped/AbstractPixelSource.h"
@@ -29,6 +30,8 @@ public:
     }
     /// Whether the latest frame showed what the one before had shown.
     bool rests() const { return framesAtRest_ > 0; }
+    /// Frames before the latest that had its view.
+    std::uint64_t framesAtRest() const { return framesAtRest_; }
     /// Whether nothing is left to repair.
     bool done() const { return source_ == nullptr || source_->done(); }
 
@@ -49,7 +52,7 @@ private:
 
     AbstractPixelSource* source_ = nullptr;
     std::optional<View> view_;
-    int framesAtRest_ = 0;
+    std::uint64_t framesAtRest_ = 0;
     FoundPixels found_;
 };
 

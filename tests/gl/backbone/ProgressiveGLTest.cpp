@@ -1,4 +1,6 @@
 // Cube maps computed within a budget, over many frames, and only where a view looks.
+#include <set>
+
 #include "ProgressiveTest.h"
 #include "WatchedLoader.h"
 
@@ -152,6 +154,31 @@ TEST_P(ProgressiveGLTest, OnlyWhatAViewShowsIsComputed) {
         EXPECT_GT(known(), before + before / 10) << "another view asks for other tiles";
         EXPECT_GE(host.ao().statistics().coverage, 0.99F);
     }
+}
+
+TEST_P(ProgressiveGLTest, AViewAtRestIsSurveyedNowAndThen) {
+    SmallHost host = hostWith(options(Estimator::LayeredIntervals));
+    ASSERT_TRUE(host.ao().addCubeMap({0.5F, 3, 5}).ok());
+    ASSERT_GT(converge(host), 0);
+    const auto surveysIn = [&](int frames) {
+        std::set<std::uint64_t> surveyed{host.ao().statistics().coverageFrame};
+        for (int i = 0; i < frames; ++i) {
+            EXPECT_TRUE(host.frame().ok());
+            gl.Finish();
+            surveyed.insert(host.ao().statistics().coverageFrame);
+        }
+        return surveyed.size() - 1;
+    };
+    surveysIn(8); // those that were on their way
+    const std::size_t atRest = surveysIn(32);
+    EXPECT_GE(atRest, 3U) << "the host may draw what it has not described";
+    EXPECT_LE(atRest, 5U);
+    std::size_t moving = 0;
+    for (int i = 0; i < 16; ++i) {
+        host.lookAt({0.5F, 3, 5}, {0.1F * static_cast<float>(i), 0.5F, 0});
+        moving += surveysIn(1);
+    }
+    EXPECT_GE(moving, 14U) << "each frame's, a frame or two later";
 }
 
 TEST_P(ProgressiveGLTest, ANewCubeMapComesInWithoutAStep) {

@@ -5,7 +5,7 @@
 
 #include <aolib/bake/AbstractBaker.h>
 
-#include "FaultTest.h"
+#include "RefusalTest.h"
 
 namespace aolib {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 using bake::AbstractBaker;
 using Baker = Result<std::unique_ptr<AbstractBaker>>;
 
-class BakeStateGLTest : public HostTest {
+class BakeStateGLTest : public RefusalTest {
 protected:
     struct Method {
         const char* name;
@@ -68,8 +68,6 @@ protected:
         }
         return (*baker)->bakeVertices({}, {}).status();
     }
-    /// Each call of a kind in turn, until there are no more. @return how many were refused.
-    int refuseEach(const Method& method, FaultyLoader& faulty, Fault fault);
 };
 
 TEST_P(BakeStateGLTest, BakingChangesNoState) {
@@ -112,36 +110,13 @@ TEST_P(BakeStateGLTest, BakingChangesNoState) {
     (void)takeDriverMessages(); // about framebuffers that are incomplete on purpose
 }
 
-int BakeStateGLTest::refuseEach(const Method& method, FaultyLoader& faulty, Fault fault) {
-    for (int n = 1;; ++n) {
-        const std::string where =
-            std::string(method.name) + ", " + faultName(fault) + " " + std::to_string(n);
-        Dice dice(static_cast<unsigned>(n));
-        poison->apply(dice, HostView{});
-        const HostState::Snapshot clean = state->snapshot();
-        faulty.failAt(fault, n);
-        const Status status = bakeAll(method, faulty.loader());
-        EXPECT_EQ(state->difference(clean, state->snapshot()), "") << where;
-        EXPECT_EQ(faulty.alive(), "") << where;
-        if (!faulty.failed()) {
-            EXPECT_TRUE(status.ok()) << where << ": " << status.message();
-            faulty.heal();
-            return n - 1;
-        }
-        EXPECT_TRUE(isSensible(fault, status.code()))
-            << where << ": " << statusName(status.code()) << ", " << status.message();
-        if (HasFailure()) {
-            return n;
-        }
-    }
-}
-
 TEST_P(BakeStateGLTest, WhatGlRefusesEndsInAStatus) {
-    FaultyLoader faulty(loader);
     for (const Method& method : methods()) {
         int refused = 0;
         for (int kind = 0; kind < kFaults; ++kind) {
-            refused += refuseEach(method, faulty, static_cast<Fault>(kind));
+            refused += refuseEach(
+                method.name, static_cast<Fault>(kind),
+                [&method](const ProcAddressLoader& with) { return bakeAll(method, with); });
             ASSERT_FALSE(HasFailure());
         }
         EXPECT_GT(refused, 15) << method.name;

@@ -8,19 +8,15 @@
 
 #include <aolib/RayTracing.h>
 
-#include "FaultyLoader.h"
 #include "Guest.h"
-#include "HostTest.h"
+#include "RefusalTest.h"
 #include "host/ModelScene.h"
 
 namespace aolib {
 
-/// What a call may answer when GL refuses this.
-bool isSensible(Fault fault, StatusCode code);
-
 /// An instance whose calls GL refuses one after the other: each ends in a clean status, the host's
 /// state intact, nothing left behind, and the instance is as good as before once GL gives again.
-class FaultTest : public HostTest {
+class FaultTest : public RefusalTest {
 protected:
     struct Step {
         const char* name;
@@ -58,11 +54,10 @@ protected:
         return ao.aoDrawEnd(Guest::eye().x, Guest::eye().y, Guest::eye().z);
     }
 
-    /// Each call of each kind in turn, until there are no more.
-    void refuseEach(const std::function<std::vector<Step>()>& steps,
-                    std::initializer_list<Fault> faults, int stride);
+    /// Each call of each kind in turn, every stride-th alone, until there are no more.
+    void refuseEachIn(const std::function<std::vector<Step>()>& steps,
+                      std::initializer_list<Fault> faults, int stride);
 
-    std::optional<FaultyLoader> faulty_;
     gl::Texture depth_;
     gl::Texture normal_;
     std::vector<MeshId> meshes_;

@@ -1,15 +1,11 @@
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "WindowTest.h"
-#include "image/Png.h"
 #ifdef AOLIB_TEST_X11
 #include "FileDrop.h"
 #endif
@@ -20,17 +16,7 @@ namespace {
 
 using nlohmann::json;
 
-/// A scene of 34 triangles and as little work as there can be.
-const std::vector<std::string> kSmall{
-    "cornell",     "--width", "320",         "--height",      "1100",
-    "--face-size", "16",      "--estimator", "horizon-split", "--directions",
-    "2",           "--steps", "2",           "--no-blur",     "--gl-debug"};
-
-std::vector<std::string> with(std::vector<std::string> arguments,
-                              const std::vector<std::string>& more) {
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return arguments;
-}
+class WindowGLTest : public WindowTest {};
 
 glm::vec3 positionOf(const json& list) {
     return {list[0].get<float>(), list[1].get<float>(), list[2].get<float>()};
@@ -39,50 +25,6 @@ glm::vec3 positionOf(const json& list) {
 double eyeDistance(const json& s) {
     return static_cast<double>(glm::distance(positionOf(s["eye"]), positionOf(s["target"])));
 }
-
-double meanBrightness(const ByteImage& image, int x0, int x1, int y0, int y1) {
-    double sum = 0.0;
-    for (int y = y0; y < y1; ++y) {
-        for (int x = x0; x < x1; ++x) {
-            sum += image.at(x, y, 0) + image.at(x, y, 1) + image.at(x, y, 2);
-        }
-    }
-    return sum / (3.0 * (x1 - x0) * (y1 - y0));
-}
-
-/// The largest difference of any channel in a part of two pictures.
-int worstDifference(const ByteImage& a, const ByteImage& b, int x0, int x1, int y0, int y1) {
-    int worst = 0;
-    for (int y = y0; y < y1; ++y) {
-        for (int x = x0; x < x1; ++x) {
-            for (int c = 0; c < 3; ++c) {
-                worst = std::max(worst, std::abs(int{a.at(x, y, c)} - int{b.at(x, y, c)}));
-            }
-        }
-    }
-    return worst;
-}
-
-class WindowGLTest : public WindowTest {
-protected:
-    void quit() {
-        key("ctrl+q");
-        EXPECT_EQ(finish(), 0) << bytesOf("log");
-    }
-    /// Types the path of one of the test's files into the viewer's field.
-    void openByPath(const std::string& name) {
-        const json place = state()["widgets"]["path"];
-        click(place[0].get<double>() + 20.0, place[1].get<double>() + 8.0);
-        pressKey("ctrl+a");
-        type(path(name).string());
-        pressKey("Return");
-    }
-    ByteImage picture(const std::string& name) const {
-        ImageResult<ByteImage> read = readPng(path(name));
-        EXPECT_TRUE(read) << name;
-        return read ? *read : ByteImage(1, 1, 3);
-    }
-};
 
 TEST_F(WindowGLTest, MouseAndKeysMoveTheCamera) {
     start(kSmall);
@@ -272,70 +214,6 @@ TEST_F(WindowGLTest, FilesAreOpenedAndBadOnesLeaveTheOldScene) {
 #endif
     waitForRest();
     quit();
-}
-
-/// What the window shows is what "aolib render" draws of the case that it saves.
-TEST_F(WindowGLTest, ACaseGivesTheSamePictureWithoutAWindow) {
-    start({"room", "--width", "300", "--height", "200", "--no-panel", "--compare", "host",
-           "--estimator", "ray-traced", "--texel-rays", "4", "--no-repair", "--face-size", "32",
-           "--screenshot", "shown.png"});
-    drag(60, 100, 70, 104);
-    waitForRest();
-    key("F11");
-    waitFor("a case", [](const json& s) {
-        return s["message"].get<std::string>().find("saved") != std::string::npos;
-    });
-    input({"sleep", "6.5"}); // the message goes
-    waitForRest();
-    quit();
-
-    std::istringstream log(bytesOf("log"));
-    std::vector<std::string> words;
-    for (std::string line; std::getline(log, line);) {
-        if (line.starts_with("aolib render ")) {
-            std::istringstream command(line.substr(std::string("aolib ").size()));
-            for (std::string word; command >> word;) {
-                words.push_back(word);
-            }
-        }
-    }
-    ASSERT_FALSE(words.empty()) << bytesOf("log");
-    words.insert(words.end(), {"--colour", "colour.png", "--composite", "composite.png"});
-    const ProgramRun rendered = run(words);
-    ASSERT_EQ(rendered.exitCode, 0) << rendered.err;
-    const ByteImage shown = picture("shown.png");
-    const ByteImage composite = picture("composite.png");
-    const ByteImage colour = picture("colour.png");
-    ASSERT_EQ(shown.width, 300);
-    ASSERT_EQ(shown.height, 200);
-    // Without the labels at the top and the line in the middle; rounding of the last bit.
-    EXPECT_LE(worstDifference(shown, composite, 0, 140, 0, 160), 1);
-    EXPECT_LE(worstDifference(shown, colour, 160, 300, 0, 160), 1);
-    EXPECT_LT(meanBrightness(composite, 0, 300, 0, 200),
-              meanBrightness(colour, 0, 300, 0, 200) - 2);
-}
-
-/// What the right part shows is what "aolib render" lights, until another environment is dropped.
-TEST_F(WindowGLTest, AnEnvironmentLightsTheSceneAsRenderDoes) {
-    const std::vector<std::string> light{"--environment", "overcast", "--turn",     "30",
-                                         "--lit-rays",    "16",       "--lit-edge", "10",
-                                         "--width",       "300",      "--height",   "200"};
-    start(with({"wall", "--no-panel", "--split", "0.1", "--texel-rays", "4", "--face-size", "16",
-                "--estimator", "ray-traced", "--no-repair", "--gl-debug", "--screenshot",
-                "shown.png"},
-               light));
-    waitFor("baked vertices", [](const json& s) { return s["light"]["vertices"] > 0; });
-    EXPECT_EQ(state()["rival"], "environment");
-    EXPECT_EQ(state()["environment"], "overcast");
-    waitForRest();
-    quit();
-    const ProgramRun rendered = run(with({"render", "wall", "--lit", "lit.png"}, light));
-    ASSERT_EQ(rendered.exitCode, 0) << rendered.err;
-    const ByteImage shown = picture("shown.png");
-    const ByteImage lit = picture("lit.png");
-    ASSERT_EQ(shown.width, 300);
-    EXPECT_LE(worstDifference(shown, lit, 50, 300, 0, 160), 1);
-    EXPECT_GT(meanBrightness(lit, 50, 300, 0, 160), 40);
 }
 
 TEST_F(WindowGLTest, EnvironmentsAreDroppedAndBadOnesLeaveTheOldOne) {

@@ -34,6 +34,10 @@ std::string shellWord(const std::string& word) {
 
 std::unique_ptr<Display> WindowTest::display_;
 std::string WindowTest::problem_;
+const std::vector<std::string> WindowTest::kSmall{
+    "cornell",     "--width", "320",         "--height",      "1100",
+    "--face-size", "16",      "--estimator", "horizon-split", "--directions",
+    "2",           "--steps", "2",           "--no-blur",     "--gl-debug"};
 
 void WindowTest::SetUpTestSuite() {
     if (std::system("command -v xdotool >/dev/null 2>&1") != 0) {
@@ -104,6 +108,17 @@ int WindowTest::finish() {
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
+void WindowTest::quit() {
+    key("ctrl+q");
+    EXPECT_EQ(finish(), 0) << bytesOf("log");
+}
+
+std::vector<std::string> WindowTest::with(std::vector<std::string> arguments,
+                                          const std::vector<std::string>& more) {
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+}
+
 json WindowTest::state() const {
     std::ifstream stream(path("state.json"));
     return stream ? json::parse(stream, nullptr, /*allow_exceptions=*/false) : json();
@@ -155,6 +170,14 @@ std::string WindowTest::runTool(const std::vector<std::string>& words) const {
     }
     EXPECT_TRUE(pipe != nullptr && pclose(pipe) == 0) << command;
     return output.substr(0, output.find('\n'));
+}
+
+void WindowTest::openByPath(const std::string& name) {
+    const json place = state()["widgets"]["path"];
+    click(place[0].get<double>() + 20.0, place[1].get<double>() + 8.0);
+    pressKey("ctrl+a");
+    type(path(name).string());
+    pressKey("Return");
 }
 
 void WindowTest::input(const std::vector<std::string>& words) {

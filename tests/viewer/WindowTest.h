@@ -27,6 +27,13 @@ protected:
     void start(std::vector<std::string> arguments);
     /// Waits for its end. Returns the exit code.
     int finish();
+    /// Ends it as a user does, and expects it to have had no trouble.
+    void quit();
+
+    /// A scene of 34 triangles and as little work as there can be.
+    static const std::vector<std::string> kSmall;
+    static std::vector<std::string> with(std::vector<std::string> arguments,
+                                         const std::vector<std::string>& more);
 
     /// The state as it is now.
     nlohmann::json state() const;
@@ -46,6 +53,8 @@ protected:
     /// Presses the left button at one place, moves in steps to another, and releases it.
     void drag(double x, double y, double toX, double toY);
     void type(const std::string& text) { input({"type", "--delay", "20", text}); }
+    /// Types the path of one of the test's files into the viewer's field.
+    void openByPath(const std::string& name);
     /// Any arguments of xdotool.
     void input(const std::vector<std::string>& words);
 

@@ -1,6 +1,10 @@
-// aolib is a good guest: whatever state the host is in, every public call leaves it as it was.
+// aolib is a good guest: whatever state the host is in, every public call leaves it as it was, and
+// no GL object outlives the instance that made it, by a ledger of what was made and deleted, and by
+// asking GL for every name.
 #include <set>
 
+#include "AliveNames.h"
+#include "FaultyLoader.h"
 #include "Guest.h"
 #include "HostTest.h"
 
@@ -113,14 +117,24 @@ void StateGLTest::callInStates(Guest& guest, unsigned count) {
     EXPECT_EQ(takeError(), static_cast<GLenum>(GL_NO_ERROR)) << "what the host runs still ran";
 }
 
-TEST_P(StateGLTest, EveryCallLeavesEveryStateAsItWas) {
-    Guest guest(loader, gl);
-    const unsigned count = seeds(300);
-    callInStates(guest, count);
-    if (count >= 300) {
-        EXPECT_EQ(called_.size(), Guest::kinds()) << "some call was never drawn";
-        EXPECT_GT(guest.pixelsAtRest(), 0U) << "no view was at rest";
+TEST_P(StateGLTest, EveryCallLeavesEveryStateAsItWasAndNothingBehind) {
+    FaultyLoader ledger(loader);
+    const auto before = aliveNames(*host);
+    {
+        Guest guest(ledger.loader(), gl);
+        const unsigned count = seeds(300);
+        callInStates(guest, count);
+        if (count >= 300) {
+            EXPECT_EQ(called_.size(), Guest::kinds()) << "some call was never drawn";
+            EXPECT_GT(guest.pixelsAtRest(), 0U) << "no view was at rest";
+        }
+        EXPECT_NE(ledger.alive(), "") << "the ledger must see something";
+        EXPECT_NE(aliveNames(*host), before);
     }
+    EXPECT_EQ(ledger.alive(), "");
+    poison->calm();
+    EXPECT_EQ(aliveNames(*host), before);
+    (void)takeDriverMessages(); // about framebuffers that are incomplete on purpose
 }
 
 TEST_P(StateGLTest, SoDoesOneThatKnowsNothingBeyondGl33) {

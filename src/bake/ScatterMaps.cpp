@@ -72,15 +72,15 @@ void ScatterMaps::rasterise() {
 }
 
 int ScatterMaps::rasterSize() const {
-    const int largest = gpu_.gl->capabilities.maxTextureSize;
+    const int mostTexels = gpu_.gl->capabilities.maxTextureSize;
     if (scatter_.rasterSize > 0) {
-        return std::min(scatter_.rasterSize, largest);
+        return std::min(scatter_.rasterSize, mostTexels);
     }
     const double texels = texelsAlongUnit(
         gpu_.geometry, gpu_.frame, {double(options_.width), double(options_.height)}, finelyShown);
     const double size = pixelsAlongTexel * texels * double{ScatterPasses::pictureSide};
     return std::clamp((static_cast<int>(size) + 63) / 64 * 64, leastRaster,
-                      std::min(largestRaster, largest));
+                      std::min(largestRaster, mostTexels));
 }
 
 /// Square texels per square frame unit, if all charts were stretched alike.
@@ -113,12 +113,12 @@ Status ScatterMaps::run(const BakeProgress& progress, const BakeWatch& watch) {
         gpu_.geometry, gpu_.frame, facets_,
         {mapSize, ScatterPasses::pictureSide / float(settings_.rasterSize), scatter_.pointSize});
     // All maps are summed at once, but where points are drawn and no texture is as large.
-    const int largest = gpu_.gl->capabilities.maxTextureSize;
+    const int mostTexels = gpu_.gl->capabilities.maxTextureSize;
     const int count = static_cast<int>(rasters_.size());
-    const int atOnce = settings_.draws ? std::min(largest / mapSize.y, count) : count;
-    if (atOnce < 1 || (settings_.draws && mapSize.x > largest)) {
-        return {StatusCode::MissingCapability,
-                "this context has textures of up to " + std::to_string(largest) + " texels a side"};
+    const int atOnce = settings_.draws ? std::min(mostTexels / mapSize.y, count) : count;
+    if (atOnce < 1 || (settings_.draws && mapSize.x > mostTexels)) {
+        return {StatusCode::MissingCapability, "this context has textures of up to " +
+                                                   std::to_string(mostTexels) + " texels a side"};
     }
     const Result<BakeVertices> vertices = gpu_.upload(mapSize.x, mapSize.y, &facets_);
     if (!vertices) {

@@ -16,6 +16,9 @@ namespace aolib::bench {
 
 namespace {
 
+/// Share of the scene's diagonal by which a moving camera goes to and fro.
+constexpr double kSway = 1.0e-4;
+
 /// A build is looked at again when it has taken so many times as long.
 constexpr double kLookAgain = 1.25;
 
@@ -64,6 +67,7 @@ struct FacadeRun::Impl {
     AmbientOcclusion ao;
     HostedFrames frames;
     bool tracer = true; ///< `ao` has one
+    float sway = 0.0F;  ///< world units, while frames are timed
 };
 
 FacadeRun::FacadeRun(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -98,6 +102,7 @@ Measurement FacadeRun::measure(const FacadeMethod& method, const BenchCase& whic
     FacadeMethod sized = method;
     sized.options.radius = static_cast<float>(which.radiusShare * impl_->scene.diagonal);
     impl_->frames.setCamera(camera);
+    impl_->sway = method.moving ? static_cast<float>(kSway * impl_->scene.diagonal) : 0.0F;
     const std::vector<glm::vec3> positions =
         cubeMapPositions(impl_->scene, camera, impl_->size, method.cubeMaps);
     Measurement m;
@@ -135,6 +140,7 @@ Status FacadeRun::Impl::buildOnce(const FacadeMethod& method,
                                   const std::vector<glm::vec3>& positions, const Truth& truth,
                                   const Patience& patience, Measurement& m, Gathered& all) {
     ao.clear();
+    frames.setSway(0.0F);
     frames.finish();
     m.path.clear();
     Build build{.began = Clock::now()};
@@ -223,6 +229,7 @@ Status FacadeRun::Impl::look(const Truth& truth, double spent, Build& build, Mea
 }
 
 Status FacadeRun::Impl::timeFrames(const Patience& patience, Gathered& all) {
+    frames.setSway(sway);
     if (const Result<FrameTimes> warm = frames.draw(ao); !warm) {
         return warm.status();
     }
@@ -256,6 +263,7 @@ Status FacadeRun::Impl::timePasses(const std::vector<glm::vec3>& positions,
         return {};
     }
     ao.clear();
+    frames.setSway(0.0F);
     timer->start();
     const Result<CubeMapId> id = ao.addCubeMap(positions.front());
     m.buildPasses = timer->stop();

@@ -2,7 +2,18 @@
 
 #include <utility>
 
+#include <glm/gtc/matrix_transform.hpp>
+
 namespace aolib::bench {
+
+namespace {
+
+/// The view of an eye that stands `distance` to the right of a view's.
+glm::mat4 rightOf(const glm::mat4& view, float distance) {
+    return glm::translate(glm::mat4(1.0F), {-distance, 0.0F, 0.0F}) * view;
+}
+
+} // namespace
 
 double millisecondsSince(Clock::time_point begin) {
     return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
@@ -41,7 +52,9 @@ std::vector<float> HostedFrames::drawDepths() {
 }
 
 Result<FrameTimes> HostedFrames::draw(AmbientOcclusion& ao, PassTimer* timer) {
-    if (Status status = ao.aoSetCamera(view_, projection_); !status) {
+    swayed_ = !swayed_ && sway_ != 0.0F;
+    const glm::mat4 view = swayed_ ? rightOf(view_, sway_) : view_;
+    if (Status status = ao.aoSetCamera(view, projection_); !status) {
         return status;
     }
     FrameTimes times;
@@ -51,7 +64,7 @@ Result<FrameTimes> HostedFrames::draw(AmbientOcclusion& ao, PassTimer* timer) {
     if (Status status = ao.aoDrawBegin(); !status) {
         return status;
     }
-    renderer_.draw(view_, projection_);
+    renderer_.draw(view, projection_);
     finish();
     times.hostMs = millisecondsSince(begin);
     if (timer != nullptr) {

@@ -36,6 +36,9 @@ public:
                                        const PictureSize& size);
 
     void setCamera(const NamedCamera& camera);
+    /// Draws one frame from this far to the right of the camera, world units, the next from the camera and
+    /// so forth: never twice the same view in turn. 0: at rest.
+    void setSway(float distance) { sway_ = distance; }
     /// Draws a frame with ambient occlusion. Errors: those of the library.
     Result<FrameTimes> draw(AmbientOcclusion& ao) { return draw(ao, nullptr); }
     /// The same, with `timer` started just before aoDrawEnd().
@@ -58,6 +61,8 @@ private:
     glm::mat4 view_{1.0F};
     glm::mat4 projection_{1.0F};
     glm::vec3 eye_{0.0F};
+    float sway_ = 0.0F;
+    bool swayed_ = false; ///< the latest frame's camera stood to the right
 };
 
 } // namespace aolib::bench

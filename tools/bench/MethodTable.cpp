@@ -67,9 +67,12 @@ FacadeMethod& named(Method& method, const std::string& suffix, const std::string
     return std::get<FacadeMethod>(method.how);
 }
 
-/// The same as a moving camera sees it: pixels are not computed themselves.
+/// The same as a moving camera sees it: pixels are not computed themselves, and no frame has the view of
+/// the one before.
 Method moving(Method method) {
-    named(method, "-moving", " moving").options.cubeMaps.repair = false;
+    FacadeMethod& facade = named(method, "-moving", " moving");
+    facade.options.cubeMaps.repair = false;
+    facade.moving = true;
     return method;
 }
 

@@ -32,6 +32,7 @@ struct FacadeMethod {
     Options options;    ///< but for the radius, which is the case's
     int cubeMaps = 1;   ///< placed by hand: one at the eye, others before what it sees; 0 for none
     bool tracer = true; ///< the host gives one
+    bool moving = false; ///< frames are timed while the camera moves
 };
 
 /// Traced on the CPU, every frame.

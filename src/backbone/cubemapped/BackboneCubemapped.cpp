@@ -15,9 +15,10 @@ namespace aolib {
 
 namespace {
 
-/// Frames between surveys of a view at rest for which nothing is left to do: the host may draw what
-/// it has not described.
-constexpr std::uint64_t kFramesBetweenIdleSurveys = 8;
+/// From one survey to the next, frames: of a view at rest for which nothing is left to do (the host may
+/// draw what it has not described), and of one that moves where all that the last one asked for is done.
+constexpr std::uint64_t kSurveyEveryAtRest = 8;
+constexpr std::uint64_t kSurveyEveryMoving = 3;
 
 template <typename Part>
 Status make(std::optional<Part>& part, const BackboneContext& context) {
@@ -229,7 +230,7 @@ Status BackboneCubemapped::placeWhereDue(const Frame& frame) {
 void BackboneCubemapped::heedSurvey(const std::vector<CubeMapProjector*>& projectors) {
     const auto answer = survey_->poll();
     if (!answer) {
-        if (nothingToSurvey()) { // another would have said the same
+        if (framesToSurvey() > 1) { // another would have said about the same
             Eviction::follow(cubeMaps_.all(), latestSurvey_->best);
         }
         return;
@@ -328,9 +329,16 @@ bool BackboneCubemapped::nothingToSurvey() const {
            latestSurvey_->frame + repair_.framesAtRest() >= frames_;
 }
 
+std::uint64_t BackboneCubemapped::framesToSurvey() const {
+    if (nothingToSurvey()) {
+        return kSurveyEveryAtRest;
+    }
+    return latestSurvey_ && texelsComplete_ && !repair_.rests() ? kSurveyEveryMoving : 1;
+}
+
 Status BackboneCubemapped::finishFrame(const Frame& frame) {
     ++frames_;
-    if (!nothingToSurvey() || frames_ % kFramesBetweenIdleSurveys == 0) {
+    if (frames_ % framesToSurvey() == 0) {
         survey_->take(context_, frame, host_, {cubeMaps_.store(), cubeMaps_.blocks()}, projected_,
                       frames_);
     }

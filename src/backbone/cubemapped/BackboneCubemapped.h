@@ -61,6 +61,8 @@ private:
     Status placeWhereDue(const Frame& frame);
     /// The latest survey saw this view, as it is now that nothing is left to compute.
     bool nothingToSurvey() const;
+    /// From one survey to the next.
+    std::uint64_t framesToSurvey() const;
     /// Takes the survey's answers: coverage, and what cube maps are asked for.
     void heedSurvey(const std::vector<CubeMapProjector*>& projectors);
     /// Computes pixels of a view at rest whose cube maps are complete.

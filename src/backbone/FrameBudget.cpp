@@ -1,6 +1,7 @@
 #include "backbone/FrameBudget.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace aolib {
@@ -74,8 +75,11 @@ int FrameBudget::room(WorkUnit kind) {
         return least;
     }
     const double fits = std::min(left / std::max(of.perUnit(), 1e-6), double{kMostUnits});
-    const int trusted = software_ ? of.trusted : of.trusted - of.inFrame;
-    return std::max(std::min(static_cast<int>(fits), trusted), least);
+    if (software_) { // half of them, then it asks again: units of a kind differ
+        const int half = static_cast<int>(std::ceil(0.5 * std::floor(fits)));
+        return std::max(std::min(half, of.trusted), least);
+    }
+    return std::max(std::min(static_cast<int>(fits), of.trusted - of.inFrame), least);
 }
 
 void FrameBudget::start(WorkUnit kind) {

@@ -16,7 +16,7 @@ namespace aolib {
 namespace {
 
 /// From one survey to the next, frames: of a view at rest for which nothing is left to do (the host may
-/// draw what it has not described), and of one that moves where all that the last one asked for is done.
+/// draw what it has not described), and of one that moves.
 constexpr std::uint64_t kSurveyEveryAtRest = 8;
 constexpr std::uint64_t kSurveyEveryMoving = 3;
 
@@ -333,7 +333,7 @@ std::uint64_t BackboneCubemapped::framesToSurvey() const {
     if (nothingToSurvey()) {
         return kSurveyEveryAtRest;
     }
-    return latestSurvey_ && texelsComplete_ && !repair_.rests() ? kSurveyEveryMoving : 1;
+    return latestSurvey_ && !repair_.rests() ? kSurveyEveryMoving : 1;
 }
 
 Status BackboneCubemapped::finishFrame(const Frame& frame) {

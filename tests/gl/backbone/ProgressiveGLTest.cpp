@@ -156,7 +156,7 @@ TEST_P(ProgressiveGLTest, OnlyWhatAViewShowsIsComputed) {
     }
 }
 
-TEST_P(ProgressiveGLTest, SurveysAreAsOftenAsThereIsSomethingToDo) {
+TEST_P(ProgressiveGLTest, AViewIsSurveyedAsOftenAsItChanges) {
     SmallHost host = hostWith(options(Estimator::LayeredIntervals));
     ASSERT_TRUE(host.ao().addCubeMap({0.5F, 3, 5}).ok());
     ASSERT_GT(converge(host), 0);
@@ -173,25 +173,13 @@ TEST_P(ProgressiveGLTest, SurveysAreAsOftenAsThereIsSomethingToDo) {
     const std::size_t atRest = surveysIn(32);
     EXPECT_GE(atRest, 3U) << "the host may draw what it has not described";
     EXPECT_LE(atRest, 5U);
-    const auto surveysOfAMovingView = [&] {
-        std::size_t surveys = 0;
-        for (int i = 0; i < 24; ++i) {
-            host.lookAt({0.5F, 3, 5}, {0.01F * static_cast<float>(i), 0.5F, 0});
-            surveys += surveysIn(1);
-        }
-        return surveys;
-    };
-    surveysOfAMovingView(); // what it shows has been asked for
-    ASSERT_GT(converge(host), 0);
-    const std::size_t moving = surveysOfAMovingView();
+    std::size_t moving = 0;
+    for (int i = 0; i < 24; ++i) {
+        host.lookAt({0.5F, 3, 5}, {0.1F * static_cast<float>(i), 0.5F, 0});
+        moving += surveysIn(1);
+    }
     EXPECT_GE(moving, 7U) << "every third frame's, a frame or two later";
     EXPECT_LE(moving, 10U);
-    Options unitByUnit = options(Estimator::LayeredIntervals);
-    unitByUnit.frameBudget = 1e-6F;
-    ASSERT_TRUE(host.ao().setOptions(unitByUnit).ok());
-    ASSERT_TRUE(host.ao().addCubeMap({-3, 4, 3}).ok());
-    EXPECT_GE(surveysOfAMovingView(), 22U) << "each frame's";
-    EXPECT_FALSE(host.ao().statistics().converged) << "it must have had something to do";
 }
 
 TEST_P(ProgressiveGLTest, ANewCubeMapComesInWithoutAStep) {

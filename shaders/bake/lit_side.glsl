@@ -1,6 +1,7 @@
 // Which way a surface faces the light. Positions lie in the scene's frame.
 uniform vec3 uDirection; // towards the light, unit length
 uniform vec4 uGround;    // up, and the ground's height along it; up is 0 where there is none
+uniform float uReach;    // the ground occludes no farther than that, frame units
 
 // What lies within this share of the frame is taken to stand on the ground.
 const float kGroundTolerance = 1e-5;
@@ -18,7 +19,8 @@ float litCosine(vec3 position, vec3 normal, vec3 plane) {
     }
     float rise = dot(uDirection, uGround.xyz);
     float height = dot(position, uGround.xyz) - uGround.w;
-    if (height >= -kGroundTolerance ? rise < 0.0 : rise > 0.0) {
+    bool belowGround = height >= -kGroundTolerance ? rise < 0.0 : rise > 0.0;
+    if (belowGround && abs(height) < uReach * abs(rise)) {
         return 0.0;
     }
     return max(0.0, dot(unit, uDirection));

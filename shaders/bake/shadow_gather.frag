@@ -1,6 +1,8 @@
 #version 330 core
 // Several shadow maps, which lie side by side in one texture, read for each receiver (GPU Gems,
 // chapter 17.3).
+#include "bake/receiver_side.glsl"
+
 const int kMost = 16;
 
 uniform sampler2DArray uReceivers; // layer 0: position in the frame, 1 where there is one;
@@ -10,30 +12,20 @@ uniform int uCount;              // shadow maps in use
 uniform mat4 uToLight[kMost];    // from the frame to clip space of each
 uniform vec4 uTile[kMost];       // of each in the texture: scale and offset of [0,1]^2
 uniform vec4 uDirections[kMost]; // towards each light; and a depth map's texel, frame units
-uniform float uBias;             // texels of the depth map by which a receiver on a slope is lifted
-uniform vec4 uGround;            // up, and the ground's height along it; up is 0 for none
 
 layout(location = 0) out vec4 oSum; // weighed direction, weight
 
-const float kGroundTolerance = 1e-5;
 // Rounding of depths, in units of clip space.
 const float kLeastBias = 1e-6;
+const float kNoEnd = 1e30;
 
 float visibility(int i, vec3 position, vec3 normal, vec3 plane) {
     vec3 direction = uDirections[i].xyz;
-    float facing = dot(plane, direction);
-    float rise = dot(direction, uGround.xyz);
-    float height = dot(position, uGround.xyz) - uGround.w;
-    bool belowGround = height >= -kGroundTolerance ? rise < 0.0 : rise > 0.0;
-    if (facing <= 0.0 || belowGround) {
+    if (!facesLight(position, plane, direction, kNoEnd)) {
         return 0.0;
     }
-    // The depth map's nearest texel lies up to half a texel's diagonal h away, where a plane at the angle
-    // theta is nearer to the light by h tan(theta). A point lifted by h sin(theta) off the plane is that
-    // much before it, and never moves far: through no wall but one thinner than a texel.
-    float sine = sqrt(max(0.0, 1.0 - facing * facing));
-    vec3 lifted = position + plane * (uBias * uDirections[i].w * sine);
-    vec3 clip = (uToLight[i] * vec4(lifted, 1.0)).xyz * 0.5 + 0.5;
+    vec3 place = lifted(position, plane, direction, uDirections[i].w);
+    vec3 clip = (uToLight[i] * vec4(place, 1.0)).xyz * 0.5 + 0.5;
     vec2 at = clamp(clip.xy, 0.0, 1.0) * uTile[i].xy + uTile[i].zw;
     float depth = texelFetch(uDepth, ivec2(at * vec2(textureSize(uDepth, 0))), 0).r;
     return clip.z - kLeastBias <= depth ? max(0.0, dot(normal, direction)) : 0.0;

@@ -18,7 +18,7 @@ namespace aolib::bake {
 
 namespace {
 
-constexpr GLsizei indicesAtOnce = 3 * 8192;
+constexpr std::size_t trianglesAtOnce = 8192;
 
 struct Vertex {
     glm::vec3 position;
@@ -83,7 +83,7 @@ private:
 
 Result<BakeVertices> BakeVertices::create(const gl::Functions& gl, const BakeGeometry& geometry,
                                           const BakeFrame& frame, int width, int height,
-                                          const Facets* facets) {
+                                          const Facets* facets, bool kept) {
     Filler filler(frame, {width, height}, facets);
     const std::vector<Surface>& surfaces = geometry.scene().surfaces;
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
@@ -123,21 +123,35 @@ Result<BakeVertices> BakeVertices::create(const gl::Functions& gl, const BakeGeo
     result.vertices_ = std::move(*vertices);
     result.indices_ = std::move(*indices);
     result.indexCount_ = static_cast<GLsizei>(filler.indices.size());
+    if (kept) {
+        for (const Vertex& vertex : filler.vertices) {
+            result.positions_.push_back(vertex.position);
+        }
+        result.kept_ = std::move(filler.indices);
+    }
     return result;
 }
 
 void BakeVertices::draw() const {
     gl_->BindVertexArray(name_.name());
+    gl_->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.name());
     gl_->DrawElements(GL_TRIANGLES, indexCount_, GL_UNSIGNED_INT, nullptr);
 }
 
 void BakeVertices::drawNumbered(gl::GLSLShader& shader) const {
+    drawNumbered(shader, indices_, {0, static_cast<std::size_t>(indexCount_) / 3});
+}
+
+void BakeVertices::drawNumbered(gl::GLSLShader& shader, const gl::Buffer& indices,
+                                const TriangleRange& range) const {
     gl_->BindVertexArray(name_.name());
-    for (GLsizei first = 0; first < indexCount_; first += indicesAtOnce) {
-        shader.set("uFirst", first / 3 + 1);
+    gl_->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.name());
+    for (std::size_t done = 0; done < range.count; done += trianglesAtOnce) {
+        const std::size_t count = std::min(trianglesAtOnce, range.count - done);
+        shader.set("uFirst", static_cast<int>(done) + 1);
         gl_->DrawElements(
-            GL_TRIANGLES, std::min(indicesAtOnce, indexCount_ - first), GL_UNSIGNED_INT,
-            reinterpret_cast<const void*>(static_cast<std::size_t>(first) * sizeof(std::uint32_t)));
+            GL_TRIANGLES, static_cast<GLsizei>(3 * count), GL_UNSIGNED_INT,
+            reinterpret_cast<const void*>((range.first + done) * 3 * sizeof(std::uint32_t)));
     }
 }
 

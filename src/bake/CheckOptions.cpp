@@ -40,6 +40,7 @@ Status check(const RayOptions& options) {
 Status check(const ScatterOptions& options) {
     return Check()
         .within("directions", options.directions, 1, 1 << 20)
+        .within("radius", options.radius, 0.0F, longest)
         .within("rasterSize", options.rasterSize, options.rasterSize == 0 ? 0 : 64, 16384)
         .within("pointSize", options.pointSize, 0.0F, 16.0F)
         .status();
@@ -48,6 +49,7 @@ Status check(const ScatterOptions& options) {
 Status check(const ShadowOptions& options) {
     return Check()
         .within("directions", options.directions, 1, 1 << 20)
+        .within("radius", options.radius, 0.0F, longest)
         .within("depthSize", options.depthSize, 64, 8192)
         .within("mapsPerPass", options.mapsPerPass, 1, 16)
         .within("bias", options.bias, 0.0F, 16.0F)

@@ -21,7 +21,7 @@ Result<GpuBake> GpuBake::create(const ProcAddressLoader& loader, BakeScene scene
         return functions.status();
     }
     const BakeFrame frame(geometry->bounds());
-    return GpuBake{std::make_unique<gl::Functions>(*functions), std::move(*geometry), frame};
+    return GpuBake{std::make_unique<gl::Functions>(*functions), std::move(*geometry), frame, {}};
 }
 
 glm::vec4 GpuBake::ground() const {
@@ -35,7 +35,7 @@ glm::vec4 GpuBake::ground() const {
 
 Result<BakeVertices> GpuBake::upload(int width, int height, const Facets* facets) const {
     const gl::StateGuard guard(*gl);
-    return BakeVertices::create(*gl, geometry, frame, width, height, facets);
+    return BakeVertices::create(*gl, geometry, frame, width, height, facets, !reach.endless());
 }
 
 Result<int> GpuBake::addDirections(const DirectionPlan& plan, const BakeProgress& progress,
@@ -53,10 +53,13 @@ Result<int> GpuBake::addDirections(const DirectionPlan& plan, const BakeProgress
             const auto index = static_cast<std::uint32_t>(i);
             const glm::dvec3 direction = lightDirection(plan.sky, geometry.up(), plan.seed, index);
             views.push_back(lightView(frame, box, direction, plan.pictureSize, plan.seed, index));
+            views.back().reach = radiusOf(reach, plan.seed, index);
         }
         {
             const gl::StateGuard guard(*gl);
-            add(views);
+            if (Status status = add(views); !status) {
+                return status;
+            }
             gl->Finish();
         }
         if (goOn && !goOn(next - plan.first)) {

@@ -14,6 +14,7 @@
 #include "bake/BakeVertices.h"
 #include "bake/CheckOptions.h"
 #include "bake/LightView.h"
+#include "bake/Reach.h"
 #include "gl/Functions.h"
 
 namespace aolib::bake {
@@ -30,13 +31,14 @@ struct DirectionPlan {
 };
 
 /// Adds what up to `atOnce` directions light, on a clean slate of GL state.
-using AddViews = std::function<void(std::span<const LightView> views)>;
+using AddViews = std::function<Status(std::span<const LightView> views)>;
 
 /// What every baker on the GPU has, and does.
 struct GpuBake {
     std::unique_ptr<gl::Functions> gl; ///< in one place: GL objects refer to it
     BakeGeometry geometry;
     BakeFrame frame;
+    Reach reach = {}; ///< of occluders
 
     /// Errors: those of BakeGeometry::create() and gl::Functions::load().
     static Result<GpuBake> create(const ProcAddressLoader& loader, BakeScene scene);
@@ -48,7 +50,7 @@ struct GpuBake {
     Result<BakeVertices> upload(int width, int height, const Facets* facets) const;
     /// Goes through the directions, giving the host its GL state and the word in between.
     /// @param goOn  told how many there are so far; false: they are enough.
-    /// @return how many there are. Errors: Cancelled.
+    /// @return how many there are. Errors: Cancelled, and those of `add`.
     Result<int> addDirections(const DirectionPlan& plan, const BakeProgress& progress,
                               const AddViews& add,
                               const std::function<bool(int done)>& goOn = {}) const;
@@ -68,6 +70,10 @@ Result<std::unique_ptr<AbstractBaker>> createGpuBaker(const ProcAddressLoader& l
     Result<GpuBake> gpu = GpuBake::create(loader, std::move(scene));
     if (!gpu) {
         return gpu.status();
+    }
+    gpu->reach = {double{options.radius} * gpu->frame.scale(), options.falloff};
+    if (Status status = checkReach(gpu->reach, gpu->frame.scale()); !status) {
+        return status;
     }
     return std::unique_ptr<AbstractBaker>(std::make_unique<Baker>(std::move(*gpu), options));
 } catch (const std::bad_alloc&) {

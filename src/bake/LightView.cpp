@@ -63,6 +63,7 @@ LightView lightView(const BakeFrame& frame, const FrameBox& box, const glm::dvec
     const glm::dvec2 scale = inner / (double(size) * glm::dvec2(extent));
     const glm::dvec2 middle = glm::dvec2(glm::dot(x, box.centre), glm::dot(y, box.centre)) * scale;
     const glm::dvec2 shift = (glm::dvec2(random.next(), random.next()) - 0.5) * 2.0 / double(size);
+    view.phase = random.next();
     // A little more than the scene's depth, so that no plane cuts it.
     const double depth = -0.999 / extent.z;
     glm::dmat4 matrix(1.0);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -49,6 +50,9 @@ struct LightView {
     glm::dvec3 direction{0.0}; ///< towards the light
     glm::mat4 toClip{1.0F};    ///< from the frame; the light sees what has the least depth
     glm::dvec2 pixel{0.0};     ///< a pixel's sides, frame units
+    double phase = 0.0;        ///< where slabs begin, 0 to 1, by chance
+    /// How far from a receiver occluders count, frame units.
+    double reach = std::numeric_limits<double>::infinity();
 };
 
 LightView lightView(const BakeFrame& frame, const FrameBox& box, const glm::dvec3& direction,

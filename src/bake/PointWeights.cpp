@@ -98,7 +98,8 @@ float PointWeights::of(std::size_t number, const glm::vec2& uv, const LightView&
     const float rise = glm::dot(direction, up_);
     const float height =
         triangle.height.x + from.x * triangle.height.y + from.y * triangle.height.z;
-    if (height >= -standsOnGround ? rise < 0.0F : rise > 0.0F) {
+    const bool towards = height >= -standsOnGround ? rise < 0.0F : rise > 0.0F;
+    if (towards && std::abs(height) < static_cast<float>(view.reach) * std::abs(rise)) {
         return 0.0F;
     }
     const float grazing = std::abs(facing);

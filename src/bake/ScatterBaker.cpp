@@ -83,10 +83,11 @@ Status ScatterBaker::sumVertices(VertexSums& sums, const BakeProgress& progress)
         rasterSizeFor(sums, options_.rasterSize, gpu_.gl->capabilities.maxTextureSize);
     settings.draws = false;
     settings.places = true;
+    settings.slabs = !gpu_.reach.endless();
     std::optional<ScatterPasses> passes;
     {
         const gl::StateGuard guard(*gpu_.gl);
-        Result<ScatterPasses> made = ScatterPasses::create(*gpu_.gl, settings, {});
+        Result<ScatterPasses> made = ScatterPasses::create(*gpu_.gl, settings, *vertices, {});
         if (!made) {
             return made.status();
         }
@@ -99,10 +100,12 @@ Status ScatterBaker::sumVertices(VertexSums& sums, const BakeProgress& progress)
     plan.sky = options_.sky;
     plan.seed = options_.seed;
     const auto add = [&](std::span<const LightView> views) {
-        for (const LightView& view : views) {
-            passes->drawSurface(*vertices, view);
-            sums.add(passes->readSurface(), view);
+        Status status;
+        for (std::size_t i = 0; i < views.size() && status; ++i) {
+            status =
+                passes->drawSurface(views[i], [&] { sums.add(passes->readSurface(), views[i]); });
         }
+        return status;
     };
     return gpu_.addDirections(plan, progress, add).status();
 }

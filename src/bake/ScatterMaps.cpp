@@ -108,6 +108,7 @@ Status ScatterMaps::run(const BakeProgress& progress, const BakeWatch& watch) {
     settings_.pointSize = scatter_.pointSize;
     settings_.density = scatter_.stretchCorrection ? 0.0F : density();
     settings_.ground = gpu_.ground();
+    settings_.slabs = !gpu_.reach.endless();
     settings_.draws = drawsPoints(scatter_.sum, gpu_.gl->capabilities.software);
     shapes_ = pointShapes(
         gpu_.geometry, gpu_.frame, facets_,
@@ -144,7 +145,7 @@ Status ScatterMaps::addStack(const BakeVertices& vertices, const BakeProgress& p
     const auto owners = std::span(owners_).subspan(stackStart(), stackSize());
     {
         const gl::StateGuard guard(*gpu_.gl);
-        Result<ScatterPasses> passes = ScatterPasses::create(*gpu_.gl, settings_, owners);
+        Result<ScatterPasses> passes = ScatterPasses::create(*gpu_.gl, settings_, vertices, owners);
         if (!passes) {
             return passes.status();
         }
@@ -156,7 +157,7 @@ Status ScatterMaps::addStack(const BakeVertices& vertices, const BakeProgress& p
         chartCoverage(gpu_.geometry, shapes_, stack, target, coveragePlaces);
     std::copy(coverage.begin(), coverage.end(),
               coverage_.begin() + static_cast<std::ptrdiff_t>(stackStart()));
-    const Result<int> added = addDirections(vertices, target, progress, watch);
+    const Result<int> added = addDirections(target, progress, watch);
     if (!added) {
         return added.status();
     }
@@ -166,8 +167,8 @@ Status ScatterMaps::addStack(const BakeVertices& vertices, const BakeProgress& p
     return {};
 }
 
-Result<int> ScatterMaps::addDirections(const BakeVertices& vertices, const PointTarget& target,
-                                       const BakeProgress& progress, const BakeWatch& watch) {
+Result<int> ScatterMaps::addDirections(const PointTarget& target, const BakeProgress& progress,
+                                       const BakeWatch& watch) {
     std::optional<PictureAdder> adder;
     if (!settings_.draws) {
         adder.emplace(shapes_,
@@ -182,15 +183,18 @@ Result<int> ScatterMaps::addDirections(const BakeVertices& vertices, const Point
     plan.sky = scatter_.sky;
     plan.seed = scatter_.seed;
     const auto add = [&](std::span<const LightView> views) {
-        for (const LightView& view : views) {
-            passes_->drawSurface(vertices, view);
-            if (adder) {
-                adder->add(passes_->readSurface(), view,
-                           std::span(light_).subspan(stackStart(), stackSize()));
-            } else {
-                passes_->scatter(view);
-            }
+        Status status;
+        for (std::size_t i = 0; i < views.size() && status; ++i) {
+            status = passes_->drawSurface(views[i], [&] {
+                if (adder) {
+                    adder->add(passes_->readSurface(), views[i],
+                               std::span(light_).subspan(stackStart(), stackSize()));
+                } else {
+                    passes_->scatter(views[i]);
+                }
+            });
         }
+        return status;
     };
     const auto goOn = [&](int done) {
         directions_ = done;

@@ -33,8 +33,8 @@ private:
     float density() const;
     Status addStack(const BakeVertices& vertices, const BakeProgress& progress,
                     const BakeWatch& watch);
-    Result<int> addDirections(const BakeVertices& vertices, const PointTarget& target,
-                              const BakeProgress& progress, const BakeWatch& watch);
+    Result<int> addDirections(const PointTarget& target, const BakeProgress& progress,
+                              const BakeWatch& watch);
     void fetch();
     BakedMap mapOf(std::size_t number) const;
     std::size_t stackStart() const;

@@ -20,6 +20,9 @@ using Depth = gl::RenderToTexture2D::Depth;
 /// the system for each time, where they are many: a seventh of its time, with all in one call.
 constexpr int pointsAtOnce = 1024;
 
+/// A reach without end, for shaders.
+constexpr double noEnd = 1e30;
+
 // Of compatibility contexts, which the core header does not declare.
 constexpr GLenum pointSmooth = 0x0B10;
 
@@ -54,10 +57,12 @@ private:
 } // namespace
 
 Result<ScatterPasses> ScatterPasses::create(const gl::Functions& gl, const Settings& settings,
+                                            const BakeVertices& vertices,
                                             std::span<const float> facets) {
     ScatterPasses passes;
     passes.gl_ = &gl;
     passes.settings_ = settings;
+    passes.vertices_ = &vertices;
     Status status;
     const auto keep = [&](auto& place, auto result) {
         if (status) {
@@ -78,6 +83,9 @@ Result<ScatterPasses> ScatterPasses::create(const gl::Functions& gl, const Setti
         return gl::RenderToTexture2D::create(gl, wanted);
     };
     const glm::ivec2 raster(settings.rasterSize);
+    if (settings.slabs) {
+        keep(passes.slabs_, ScatterSlabs::create(gl, settings.rasterSize, vertices));
+    }
     if (!settings.draws) {
         keep(passes.surfaceShader_,
              settings.places
@@ -120,15 +128,13 @@ void ScatterPasses::clearSurface() const {
     gl_->ClearBufferfv(GL_DEPTH, 0, &farthest);
 }
 
-void ScatterPasses::drawSurface(const BakeVertices& vertices, const LightView& view) {
-    const gl::DebugGroup group(*gl_, "aolib/bake/direction");
+/// Makes ready for drawing triangles.
+void ScatterPasses::beginSurface(const LightView& view, const glm::mat4& toClip) {
     clearSurface();
     gl_->Enable(GL_DEPTH_TEST);
     surfaceShader_.bind();
-    surfaceShader_.set("uToLight", view.toClip);
+    surfaceShader_.set("uToLight", toClip);
     if (!settings_.draws) {
-        vertices.drawNumbered(surfaceShader_);
-        gl_->Disable(GL_DEPTH_TEST);
         return;
     }
     surfaceShader_.set("uMapSize", glm::vec2(settings_.stack.mapSize));
@@ -137,9 +143,45 @@ void ScatterPasses::drawSurface(const BakeVertices& vertices, const LightView& v
     surfaceShader_.set("uPixelSize", pictureSide / float(settings_.rasterSize));
     surfaceShader_.set("uDirection", glm::vec3(view.direction));
     surfaceShader_.set("uGround", settings_.ground);
+    surfaceShader_.set("uReach", static_cast<float>(std::min(view.reach, noEnd)));
     surfaceShader_.set("uDensity", settings_.density);
-    vertices.draw();
-    gl_->Disable(GL_DEPTH_TEST);
+}
+
+Status ScatterPasses::drawSurface(const LightView& view, const std::function<void()>& take) {
+    if (slabs_) {
+        return drawSlabs(view, take);
+    }
+    {
+        const gl::DebugGroup group(*gl_, "aolib/bake/direction");
+        beginSurface(view, view.toClip);
+        if (settings_.draws) {
+            vertices_->draw();
+        } else {
+            vertices_->drawNumbered(surfaceShader_);
+        }
+        gl_->Disable(GL_DEPTH_TEST);
+    }
+    take();
+    return {};
+}
+
+Status ScatterPasses::drawSlabs(const LightView& view, const std::function<void()>& take) {
+    const gl::DebugGroup group(*gl_, "aolib/bake/slabs");
+    slabs_->begin(view);
+    for (slab_ = 0; slab_ < slabs_->count(); ++slab_) {
+        if (Status status = slabs_->prepare(slab_); !status) {
+            return status;
+        }
+        if (slabs_->empty(slab_)) {
+            continue;
+        }
+        slabs_->drawBefore(slab_);
+        beginSurface(view, slabs_->toClip(slab_));
+        slabs_->draw(surfaceShader_, slab_);
+        gl_->Disable(GL_DEPTH_TEST);
+        take();
+    }
+    return {};
 }
 
 void ScatterPasses::scatter(const LightView& view) {
@@ -172,6 +214,16 @@ const std::vector<glm::vec4>& ScatterPasses::readSurface() {
     surface_.beginRead(0);
     gl_->ReadPixels(0, 0, settings_.rasterSize, settings_.rasterSize, GL_RGBA, GL_FLOAT,
                     picture_.data());
+    if (slabs_) {
+        const std::span<const std::uint32_t> numbers = slabs_->numbers(slab_);
+        const int channel = settings_.places ? 3 : 2;
+        for (glm::vec4& pixel : picture_) {
+            if (pixel[channel] > 0.0F) {
+                const auto place = static_cast<std::size_t>(pixel[channel]) - 1;
+                pixel[channel] = static_cast<float>(numbers[place] + 1);
+            }
+        }
+    }
     return picture_;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -12,6 +14,7 @@
 #include "bake/BakeVertices.h"
 #include "bake/LightView.h"
 #include "bake/MapStack.h"
+#include "bake/ScatterSlabs.h"
 #include "gl/GLSLShader.h"
 #include "gl/RenderToTexture2D.h"
 #include "gl/TextureStack.h"
@@ -31,6 +34,7 @@ public:
         glm::vec4 ground{0.0F}; ///< up and height in the frame; up 0 for none
         bool draws = true;      ///< points are drawn and blended; else they are only told
         bool places = false;    ///< told by their places in the frame, not in the map
+        bool slabs = false;     ///< occluders have an end; the vertices keep their triangles
     };
 
     /// A picture's side, frame units: it just holds the scene, whose bounding sphere's diameter is
@@ -38,13 +42,16 @@ public:
     static constexpr float pictureSide = 1.6F;
 
     ScatterPasses() = default;
+    /// The vertices must outlive it.
     /// @param facets  per texel of the stack, from the bottom. Errors: ShaderError,
     /// MissingCapability, OutOfMemory.
     static Result<ScatterPasses> create(const gl::Functions& gl, const Settings& settings,
+                                        const BakeVertices& vertices,
                                         std::span<const float> facets);
 
-    /// Stage 1: what one direction lights.
-    void drawSurface(const BakeVertices& vertices, const LightView& view);
+    /// Stage 1: what one direction lights, in one picture, or in one for each of its slabs.
+    /// @param take  is called for each, for stage 2. Errors: OutOfMemory.
+    Status drawSurface(const LightView& view, const std::function<void()>& take);
     /// Stage 2, where points are drawn: adds it to the sums.
     void scatter(const LightView& view);
     /// Stage 1's picture: u, v, number of the triangle from 1, 0 for none; or with `places` x, y,
@@ -57,8 +64,11 @@ public:
 
 private:
     void clearSurface() const;
+    void beginSurface(const LightView& view, const glm::mat4& toClip);
+    Status drawSlabs(const LightView& view, const std::function<void()>& take);
 
     const gl::Functions* gl_ = nullptr;
+    const BakeVertices* vertices_ = nullptr;
     Settings settings_;
     gl::GLSLShader surfaceShader_;
     gl::GLSLShader pointShader_;
@@ -67,6 +77,8 @@ private:
     gl::TextureStack facets_;
     gl::VertexArray points_;
     std::vector<glm::vec4> picture_;
+    std::optional<ScatterSlabs> slabs_;
+    int slab_ = 0; ///< that the picture shows
 };
 
 } // namespace aolib::bake

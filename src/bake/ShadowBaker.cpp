@@ -1,16 +1,17 @@
 #include "bake/ShadowBaker.h"
 
 #include <algorithm>
-#include <limits>
 #include <new>
 #include <string>
+#include <type_traits>
 #include <utility>
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "bake/CheckOptions.h"
 #include "bake/MapLoop.h"
+#include "bake/ShadowPasses.h"
+#include "bake/SlabPasses.h"
 #include "bake/VertexFitting.h"
 #include "bake/VertexWeld.h"
 #include "bake/ViewReceivers.h"
@@ -23,65 +24,69 @@ namespace {
 /// Columns of the grid that vertices are put into, where they fit.
 constexpr int leastColumns = 1024;
 
-/// The box about receivers, and about where they are lifted to.
-/// @param texels  how far that is at most.
-FrameBox boxOf(const BakeFrame& frame, std::span<const std::optional<SurfacePoint>> receivers,
-               double texels, int depthSize) {
-    glm::dvec3 low(std::numeric_limits<double>::infinity());
-    glm::dvec3 high = -low;
-    for (const std::optional<SurfacePoint>& receiver : receivers) {
-        if (receiver) {
-            const glm::dvec3 place(frame.toFrame(receiver->position));
-            low = glm::min(low, place);
-            high = glm::max(high, place);
-        }
-    }
-    if (low.x > high.x) {
-        return {};
-    }
-    const glm::dvec3 half = 0.5 * (high - low);
-    const double texel = 2.0 * glm::length(half) / double(depthSize);
-    return {0.5 * (low + high), half + texels * texel};
-}
-
 } // namespace
 
-/// Room for sums of a grid of receivers.
-Result<ShadowPasses> ShadowBaker::passesFor(const glm::ivec2& size) const {
+/// Room for sums of a grid of receivers, and for depth maps.
+Result<ShadowBaker::Work> ShadowBaker::workFor(const BakeVertices& vertices,
+                                               const glm::ivec2& size) const {
     const gl::StateGuard guard(*gpu_.gl);
-    ShadowPasses::Settings settings;
-    settings.size = size;
-    settings.depthSize = std::min(options_.depthSize, gpu_.gl->capabilities.maxTextureSize);
+    DepthSettings settings;
+    settings.size = std::min(options_.depthSize, gpu_.gl->capabilities.maxTextureSize);
     settings.mapsPerPass = options_.mapsPerPass;
     settings.bias = options_.bias;
     settings.ground = gpu_.ground();
-    return ShadowPasses::create(*gpu_.gl, settings);
+    Work work;
+    work.depthSize = settings.size;
+    Status status;
+    const auto keep = [&](auto passes) {
+        status = passes.status();
+        if (passes) {
+            work.passes = std::make_unique<std::decay_t<decltype(*passes)>>(std::move(*passes));
+        }
+    };
+    if (gpu_.reach.endless()) {
+        keep(ShadowPasses::create(*gpu_.gl, settings, vertices));
+    } else {
+        keep(SlabPasses::create(*gpu_.gl, settings, vertices));
+    }
+    if (!status) {
+        return status;
+    }
+    Result<ReceiverSums> sums = ReceiverSums::create(*gpu_.gl, size);
+    if (!sums) {
+        return sums.status();
+    }
+    work.sums = std::move(*sums);
+    return work;
 }
 
 /// Sums up what some of the directions light at receivers.
-Status ShadowBaker::add(ShadowPasses& passes, const BakeVertices& vertices, Receivers receivers,
-                        const SampleRange& directions, const BakeProgress& progress) const {
+Result<std::vector<glm::vec4>> ShadowBaker::sumsOf(Work& work, Receivers receivers,
+                                                   const SampleRange& directions,
+                                                   const BakeProgress& progress) const {
     {
         const gl::StateGuard guard(*gpu_.gl);
-        passes.begin(gpu_.frame, receivers);
+        work.sums.begin(gpu_.frame, receivers);
     }
+    // What pictures show: receivers, and where they are lifted to.
+    FrameBox box = work.sums.box();
+    box.half += double{options_.bias} * 2.0 * glm::length(box.half) / double(work.depthSize);
     DirectionPlan plan;
     plan.first = directions.first;
     plan.last = directions.last;
-    plan.atOnce = passes.mapsPerPass();
-    plan.pictureSize = passes.depthSize();
-    plan.box = boxOf(gpu_.frame, receivers, double{options_.bias}, passes.depthSize());
+    plan.atOnce = work.passes->mapsPerPass();
+    plan.pictureSize = work.depthSize;
+    plan.box = box;
     plan.sky = options_.sky;
     plan.seed = options_.seed;
     const auto add = [&](std::span<const LightView> views) {
-        passes.addDirections(vertices, views);
+        return work.passes->addDirections(views, work.sums);
     };
-    return gpu_.addDirections(plan, progress, add).status();
-}
-
-std::vector<glm::vec4> ShadowBaker::sumsOf(const ShadowPasses& passes) const {
+    if (const Result<int> added = gpu_.addDirections(plan, progress, add); !added) {
+        return added.status();
+    }
     const gl::StateGuard guard(*gpu_.gl);
-    return passes.sums();
+    return work.sums.sums();
 }
 
 Result<std::vector<BakedMap>> ShadowBaker::bakeMaps(const MapOptions& options,
@@ -94,13 +99,13 @@ Result<std::vector<BakedMap>> ShadowBaker::bakeMaps(const MapOptions& options,
     if (!vertices) {
         return vertices.status();
     }
-    Result<ShadowPasses> passes = passesFor({options.width, options.height});
-    if (!passes) {
-        return passes.status();
+    Result<Work> work = workFor(*vertices, {options.width, options.height});
+    if (!work) {
+        return work.status();
     }
     TexelMethod method;
     method.samples = options_.directions;
-    method.least = passes->mapsPerPass();
+    method.least = work->passes->mapsPerPass();
     method.norm = [this](int directions) { return cosineNorm(options_.sky, directions); };
     method.add = [&](const SampleRange& directions, int /*number*/, MapSums& map,
                      const BakeProgress& share) {
@@ -108,11 +113,11 @@ Result<std::vector<BakedMap>> ShadowBaker::bakeMaps(const MapOptions& options,
         for (std::size_t i = 0; i < points.size(); ++i) {
             points[i] = map.receivers.at(i);
         }
-        if (Status status = add(*passes, *vertices, points, directions, share); !status) {
-            return status;
+        const Result<std::vector<glm::vec4>> sums = sumsOf(*work, points, directions, share);
+        if (!sums) {
+            return sums.status();
         }
-        const std::vector<glm::vec4> sums = sumsOf(*passes);
-        std::transform(sums.begin(), sums.end(), map.light.begin(), map.light.begin(),
+        std::transform(sums->begin(), sums->end(), map.light.begin(), map.light.begin(),
                        [](const glm::vec4& a, const glm::vec4& b) { return a + b; });
         return Status();
     };
@@ -141,17 +146,18 @@ Result<std::vector<glm::vec4>> ShadowBaker::valuesAt(const std::vector<SurfacePo
     }
     std::vector<std::optional<SurfacePoint>> receivers(points.begin(), points.end());
     receivers.resize(rows * std::size_t(columns));
-    Result<ShadowPasses> passes = passesFor({columns, static_cast<int>(rows)});
-    if (!passes) {
-        return passes.status();
+    Result<Work> work = workFor(*vertices, {columns, static_cast<int>(rows)});
+    if (!work) {
+        return work.status();
     }
-    if (Status status = add(*passes, *vertices, receivers, {0, options_.directions}, progress);
-        !status) {
-        return status;
+    const Result<std::vector<glm::vec4>> sums =
+        sumsOf(*work, receivers, {0, options_.directions}, progress);
+    if (!sums) {
+        return sums.status();
     }
     const double norm = cosineNorm(options_.sky, options_.directions);
     std::vector<glm::vec4> values;
-    for (const glm::vec4& sum : sumsOf(*passes)) {
+    for (const glm::vec4& sum : *sums) {
         values.emplace_back(static_cast<float>(double{sum.w} * norm), glm::vec3(sum));
     }
     values.resize(points.size());

@@ -1,14 +1,16 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include <aolib/bake/AbstractBaker.h>
 
+#include "bake/AbstractDepthPasses.h"
+#include "bake/BakeVertices.h"
 #include "bake/GpuBake.h"
-#include "bake/MapLoop.h"
-#include "bake/ShadowPasses.h"
+#include "bake/ReceiverSums.h"
 #include "bake/TexelReceivers.h"
 
 namespace aolib::bake {
@@ -27,11 +29,17 @@ public:
 
 private:
     using Receivers = std::span<const std::optional<SurfacePoint>>;
+    /// What a grid of receivers takes.
+    struct Work {
+        int depthSize = 0; ///< texels along a depth map
+        std::unique_ptr<AbstractDepthPasses> passes;
+        ReceiverSums sums;
+    };
 
-    Result<ShadowPasses> passesFor(const glm::ivec2& size) const;
-    Status add(ShadowPasses& passes, const BakeVertices& vertices, Receivers receivers,
-               const SampleRange& directions, const BakeProgress& progress) const;
-    std::vector<glm::vec4> sumsOf(const ShadowPasses& passes) const;
+    Result<Work> workFor(const BakeVertices& vertices, const glm::ivec2& size) const;
+    Result<std::vector<glm::vec4>> sumsOf(Work& work, Receivers receivers,
+                                          const SampleRange& directions,
+                                          const BakeProgress& progress) const;
     Result<std::vector<glm::vec4>> valuesAt(const std::vector<SurfacePoint>& points,
                                             const BakeProgress& progress) const;
 

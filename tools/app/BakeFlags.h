@@ -38,7 +38,7 @@ struct BakeFlags {
     int width = 960;              ///< of its picture, pixels
     int height = 540;             ///< pixels
     Length radius;                ///< 0: endless
-    bake::RayOptions rays;        ///< its sky and seed are those of all methods
+    bake::RayOptions rays;        ///< its sky, falloff and seed are those of all methods
     bake::ScatterOptions scatter; ///< its directions are those of shadow maps, too
     bake::ShadowOptions shadow;
     bake::MapOptions map;

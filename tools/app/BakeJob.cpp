@@ -79,10 +79,6 @@ Outcome<std::unique_ptr<bake::AbstractBaker>> Job::baker() {
         rays.radius = static_cast<float>(radius);
         made = bake::createRayBaker(scene(), rays);
     } else {
-        if (radius > 0.0) {
-            return badInput("--radius: pictures from the light know no distance between occluder "
-                            "and receiver; --method rays does");
-        }
         Outcome<GlSession> session = GlSession::open(flags_.gl);
         if (!session) {
             return session.failure();
@@ -92,6 +88,8 @@ Outcome<std::unique_ptr<bake::AbstractBaker>> Job::baker() {
         bake::ShadowOptions shadow = flags_.shadow;
         scatter.sky = shadow.sky = flags_.rays.sky;
         scatter.seed = shadow.seed = flags_.rays.seed;
+        scatter.radius = shadow.radius = static_cast<float>(radius);
+        scatter.falloff = shadow.falloff = flags_.rays.falloff;
         made = flags_.method == BakeMethod::Scatter
                    ? bake::createScatterBaker(session_->loader(), scene(), scatter)
                    : bake::createShadowBaker(session_->loader(), scene(), shadow);

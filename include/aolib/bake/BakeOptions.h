@@ -65,9 +65,11 @@ struct RayOptions {
     std::uint32_t seed = 0; ///< another seed, another noise
 };
 
-/// Settings of baking by scattered points, on the GPU. Occluders have no end: there is no radius.
+/// Settings of baking by scattered points, on the GPU.
 struct ScatterOptions {
     int directions = 512;   ///< of light, count, 1 to 2^20
+    float radius = 0.0F;    ///< as in RayOptions; at least a 512th of the scene's diagonal
+    Falloff falloff = Falloff::Step; ///< weight of an occluder by its distance
     int rasterSize = 0;     ///< pixels along the picture from each direction, 64 to 16384; 0
                             ///< derives it from the texels that charts cover
     float pointSize = 0.5F; ///< texels along a point's edge, 0 (the nearest texel gets all) to 16
@@ -79,11 +81,14 @@ struct ScatterOptions {
     std::uint32_t seed = 0; ///< another seed, another noise
 };
 
-/// Settings of baking by shadow maps, on the GPU. Occluders have no end: there is no radius.
+/// Settings of baking by shadow maps, on the GPU.
 struct ShadowOptions {
     int directions = 512; ///< of light, count, 1 to 2^20
+    float radius = 0.0F;  ///< as in RayOptions; at least a 512th of the scene's diagonal
+    Falloff falloff = Falloff::Step; ///< weight of an occluder by its distance
     int depthSize = 1024; ///< texels along a depth map, 64 to 8192
-    int mapsPerPass = 8;  ///< depth maps read in one pass, count, 1 to 16
+    int mapsPerPass = 8;  ///< depth maps read in one pass, count, 1 to 16; pairs of them where
+                          ///< there is a radius
     float bias = 1.0F;    ///< how far receivers on a slope are lifted off it, texels of the depth
                           ///< map times the sine of the slope, 0 to 16
     Sky sky = Sky::Sphere;

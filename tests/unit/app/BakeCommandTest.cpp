@@ -104,16 +104,21 @@ TEST_F(BakeCommandTest, WhereThereAreNoUvsTheyAreMadeOrTheLackIsTold) {
 }
 
 TEST_F(BakeCommandTest, MethodsOnTheGpuGiveTheSameMap) {
-    expectDone({"bake", "uv-shapes", "--ao", "rays.pfm", "--size", "64", "--rays", "256"});
-    for (const char* method : {"scatter", "shadow"}) {
-        expectDone({"bake", "uv-shapes", "-o", "out.glb", "--ao", "gpu.pfm", "--size", "64",
-                    "--method", method, "--directions", "128", "--depth-size", "256"});
-        EXPECT_EQ(jsonOf("out.glb")["images"].size(), 1U);
-        const auto rays = readPfm(path("rays.pfm"));
-        const auto gpu = readPfm(path("gpu.pfm"));
-        ASSERT_TRUE(rays && gpu);
-        for (const float v : {0.55F, 0.65F, 0.75F, 0.85F, 0.95F}) {
-            EXPECT_NEAR(at(*gpu, 0.5F, v), at(*rays, 0.5F, v), 0.12F) << method << " at " << v;
+    for (const std::string radius : {"0", "10%"}) {
+        expectDone({"bake", "uv-shapes", "--ao", "rays.pfm", "--size", "64", "--rays", "256",
+                    "--radius", radius});
+        for (const char* method : {"scatter", "shadow"}) {
+            expectDone({"bake", "uv-shapes", "-o", "out.glb", "--ao", "gpu.pfm", "--size", "64",
+                        "--method", method, "--directions", "128", "--depth-size", "256",
+                        "--radius", radius});
+            EXPECT_EQ(jsonOf("out.glb")["images"].size(), 1U);
+            const auto rays = readPfm(path("rays.pfm"));
+            const auto gpu = readPfm(path("gpu.pfm"));
+            ASSERT_TRUE(rays && gpu);
+            for (const float v : {0.55F, 0.65F, 0.75F, 0.85F, 0.95F}) {
+                EXPECT_NEAR(at(*gpu, 0.5F, v), at(*rays, 0.5F, v), 0.12F)
+                    << method << " at " << v << ", radius " << radius;
+            }
         }
     }
     for (const char* method : {"scatter", "shadow"}) {
@@ -125,8 +130,8 @@ TEST_F(BakeCommandTest, MethodsOnTheGpuGiveTheSameMap) {
     expectRefused({"bake", "uv-shapes", "-o", "w.glb", "--target", "vertex", "--method", "scatter",
                    "--fit", "triangle-mean"},
                   {"LeastSquares fits them"});
-    expectRefused({"bake", "uv-shapes", "-o", "w.glb", "--method", "shadow", "--radius", "1"},
-                  {"--radius"});
+    expectRefused({"bake", "uv-shapes", "-o", "w.glb", "--method", "shadow", "--radius", "0.01%"},
+                  {"radius", "at least", "512th of the scene's diagonal"});
 }
 
 TEST_F(BakeCommandTest, ACameraGetsAPicture) {

@@ -20,6 +20,7 @@
 #include "app/ParseValues.h"
 #include "bench/MachineInfo.h"
 #include "bench/TextFile.h"
+#include "bench/bake/BakeGrowth.h"
 #include "bench/bake/BakeTable.h"
 #include "bench/bake/VertexRun.h"
 #include "bench/plot/PlotFiles.h"
@@ -181,15 +182,17 @@ MaybeFailure benchBake(const BenchBakeFlags& flags) {
         (plan->truthTexels > 0
              ? ", at seams and " + std::to_string(plan->truthTexels) + " other texels"
              : "");
+    const std::string report = where + "\n\n" + bench::bakeMarkdown(*rows) + "\n" +
+                               bench::growthMarkdown(bench::growthOf(*rows));
     for (const std::string& reason :
          {bench::writeText(folder / "bake.csv", bench::bakeCsv(*rows)),
-          bench::writeText(folder / "bake.md", where + "\n\n" + bench::bakeMarkdown(*rows)),
+          bench::writeText(folder / "bake.md", report),
           bench::writePlot(bench::bakePlot(*rows, where), folder / "bake")}) {
         if (!reason.empty()) {
             return Failure{ExitCode::Failed, reason};
         }
     }
-    std::cout << where << "\n\n" << bench::bakeMarkdown(*rows);
+    std::cout << report;
     return std::nullopt;
 }
 
@@ -216,8 +219,9 @@ void addBenchBake(CLI::App& bench, MaybeFailure& failure) {
         "maps, or values of vertices in all ways to fit them")
         ->default_str("texture");
     addWholeNumber(
-        *command, "--samples", 1, 1 << 20, [flags](int count) { flags->samples = {count}; },
-        "rays per texel, or directions; without it 512 and 1024");
+        *command, "--samples", 1, 1 << 20, [flags](int count) { flags->samples.push_back(count); },
+        "rays per texel, or directions; may be repeated; without it 512 and 1024")
+        ->trigger_on_parse();
     addWholeNumber(
         *command, "--size", 16, 4096, [flags](int size) { flags->size = size; },
         "texels along the map; without it 512, quick 128");
@@ -235,7 +239,9 @@ void addBenchBake(CLI::App& bench, MaybeFailure& failure) {
     flags->gl.attach(*command);
     command->footer("Examples:\n"
                     "  aolib bench bake --quick\n"
-                    "  aolib bench bake --mesh uv-shapes --samples 1024 --size 256");
+                    "  aolib bench bake --mesh uv-shapes --samples 1024 --size 256\n"
+                    "  aolib bench bake --mesh uv-shapes --samples 256 --samples 512 --samples "
+                    "1024 --repeats 3");
     command->callback([flags, &failure] { failure = benchBake(*flags); });
 }
 

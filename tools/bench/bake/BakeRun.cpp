@@ -44,27 +44,28 @@ double median(std::vector<double> values) {
     return values[values.size() / 2];
 }
 
-Result<BakeRow> measured(const BakeMesh& mesh, BakeMethodName method, int samples,
-                         const BakePlan& plan, const bake::BakedMap& truth,
-                         const ProcAddressLoader& loader) {
-    BakeRow row{mesh.name, mesh.triangles, method, samples, plan.mapSize, 0.0, 0.0, {}};
+/// A line of the table that is being measured.
+struct Cell {
+    BakeRow row;
     std::vector<double> seconds;
     std::vector<double> processor;
-    for (int i = 0; i < plan.repeats; ++i) {
-        const Result<Baker> baker = bakerOf(mesh, method, samples, loader);
-        const Clock::time_point start = Clock::now();
-        const std::clock_t used = std::clock();
-        const Result<bake::BakedMap> map = mapOf(baker, mapOptions(plan));
-        if (!map) {
-            return map.status();
-        }
-        seconds.push_back(std::chrono::duration<double>(Clock::now() - start).count());
-        processor.push_back(double(std::clock() - used) / CLOCKS_PER_SEC);
-        row.errors = errorsOf(*map, truth);
+};
+
+Status measure(Cell& cell, const BakeMesh& mesh, const BakePlan& plan, const bake::BakedMap& truth,
+               const ProcAddressLoader& loader) {
+    const Result<Baker> baker = bakerOf(mesh, cell.row.method, cell.row.samples, loader);
+    const Clock::time_point start = Clock::now();
+    const std::clock_t used = std::clock();
+    const Result<bake::BakedMap> map = mapOf(baker, mapOptions(plan));
+    if (!map) {
+        return map.status();
     }
-    row.seconds = median(seconds);
-    row.processor = median(processor);
-    return row;
+    cell.seconds.push_back(std::chrono::duration<double>(Clock::now() - start).count());
+    cell.processor.push_back(double(std::clock() - used) / CLOCKS_PER_SEC);
+    cell.row.errors = errorsOf(*map, truth);
+    cell.row.seconds = median(cell.seconds);
+    cell.row.processor = median(cell.processor);
+    return {};
 }
 
 /// The texels of a map that a truth is traced at.
@@ -160,41 +161,60 @@ Result<std::unique_ptr<bake::AbstractBaker>> bakerOf(const BakeMesh& mesh, BakeM
     return bake::createScatterBaker(loader, mesh.scene, options);
 }
 
+namespace {
+
+/// The lines of a mesh that an earlier run has not left.
+std::vector<Cell> cellsOf(const BakeMesh& mesh, const BakePlan& plan,
+                          const std::vector<BakeRow>& known) {
+    std::vector<Cell> cells;
+    for (const int samples : plan.samples) {
+        for (const BakeMethodName method : plan.methods) {
+            const BakeRow row{mesh.name, mesh.triangles, method, samples, plan.mapSize, 0.0, 0.0,
+                              {}};
+            if (rowOf(known, row) == nullptr) {
+                cells.push_back({row, {}, {}});
+            }
+        }
+    }
+    return cells;
+}
+
+} // namespace
+
 Result<std::vector<BakeRow>>
 runBakePlan(const BakePlan& plan, const BakeMemory& memory, const ProcAddressLoader& loader,
             const std::function<bool(const std::string& next, double done)>& tell) {
     std::vector<BakeRow> rows = memory.known;
-    std::size_t done = 0;
-    const std::size_t cells = plan.meshes.size() * plan.methods.size() * plan.samples.size();
-    for (const BakeMesh& mesh : plan.meshes) {
-        std::optional<bake::BakedMap> truth;
-        for (const int samples : plan.samples) {
-            for (const BakeMethodName method : plan.methods) {
-                const double share = double(done++) / double(cells);
-                if (rowOf(rows, {mesh.name, 0, method, samples, plan.mapSize, 0.0, 0.0, {}})) {
-                    continue;
-                }
-                if (!truth) {
-                    if (!tell(mesh.name + ", truth", share)) {
-                        return rows;
-                    }
-                    Result<bake::BakedMap> made = truthOf(mesh, plan, memory.truths);
-                    if (!made) {
-                        return Status(made.status().code(),
-                                      mesh.name + ": " + made.status().message());
-                    }
-                    truth = std::move(*made);
-                }
-                const std::string what =
-                    mesh.name + ", " + bakeMethodName(method) + ", " + std::to_string(samples);
-                if (!tell(what, share)) {
-                    return rows;
-                }
-                const Result<BakeRow> row = measured(mesh, method, samples, plan, *truth, loader);
-                if (!row) {
-                    return Status(row.status().code(), what + ": " + row.status().message());
-                }
-                rows.push_back(*row);
+    for (std::size_t number = 0; number < plan.meshes.size(); ++number) {
+        const BakeMesh& mesh = plan.meshes[number];
+        std::vector<Cell> cells = cellsOf(mesh, plan, rows);
+        if (cells.empty()) {
+            continue;
+        }
+        const auto share = [&](double fraction) {
+            return (double(number) + fraction) / double(plan.meshes.size());
+        };
+        if (!tell(mesh.name + ", truth", share(0.0))) {
+            return rows;
+        }
+        const Result<bake::BakedMap> truth = truthOf(mesh, plan, memory.truths);
+        if (!truth) {
+            return Status(truth.status().code(), mesh.name + ": " + truth.status().message());
+        }
+        // All lines by turns: what else the machine does meets them alike.
+        const std::size_t count = cells.size() * static_cast<std::size_t>(plan.repeats);
+        for (std::size_t i = 0; i < count; ++i) {
+            Cell& cell = cells[i % cells.size()];
+            const std::string what = mesh.name + ", " + bakeMethodName(cell.row.method) + ", " +
+                                     std::to_string(cell.row.samples);
+            if (!tell(what, share(double(i) / double(count)))) {
+                return rows;
+            }
+            if (Status status = measure(cell, mesh, plan, *truth, loader); !status) {
+                return Status(status.code(), what + ": " + status.message());
+            }
+            if (i + cells.size() >= count) {
+                rows.push_back(cell.row);
                 if (memory.keep) {
                     memory.keep(rows);
                 }

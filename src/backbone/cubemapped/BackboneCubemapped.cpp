@@ -15,8 +15,8 @@ namespace aolib {
 
 namespace {
 
-/// From one survey to the next, frames: of a view at rest for which nothing is left to do (the host may
-/// draw what it has not described), and of one that moves.
+/// From one survey to the next, frames: of a view at rest for which nothing is left to do (the host
+/// may draw what it has not described), and of one that moves.
 constexpr std::uint64_t kSurveyEveryAtRest = 8;
 constexpr std::uint64_t kSurveyEveryMoving = 3;
 
@@ -143,6 +143,7 @@ void BackboneCubemapped::cubeMapsChanged() {
     survey_->restart();
     repair_.lookAgain();
     latestSurvey_.reset();
+    coverageToCome_.reset();
 }
 
 void BackboneCubemapped::markAllDirty() {
@@ -213,11 +214,7 @@ Status BackboneCubemapped::placeWhereDue(const Frame& frame) {
     for (const auto& projector : cubeMaps_.all()) {
         positions.push_back(projector->position());
     }
-    std::optional<float> coverage;
-    if (latestSurvey_ && texelsComplete_) { // one that is on its way may cover what is missing
-        coverage = latestSurvey_->shaded;
-    }
-    if (!Placement::due(coverage, options.coverage, frame.position, positions,
+    if (!Placement::due(coverageToCome_, options.coverage, frame.position, positions,
                         context_.scene.bounds().diagonal())) {
         return {};
     }
@@ -238,9 +235,7 @@ void BackboneCubemapped::heedSurvey(const std::vector<CubeMapProjector*>& projec
     latestSurvey_ = answer;
     shownSurvey_ = *answer;
     Eviction::follow(cubeMaps_.all(), answer->best);
-    for (CubeMapProjector* projector : projectors) {
-        requestTiles(*projector, *answer, cubeMaps_.blocks(), schedule_.passes());
-    }
+    coverageToCome_ = requestTiles(projectors, *answer, cubeMaps_.blocks(), schedule_.passes());
 }
 
 Status BackboneCubemapped::prepare(const Frame& frame) {
@@ -262,6 +257,9 @@ Status BackboneCubemapped::prepare(const Frame& frame) {
         return {};
     }
     const std::vector<CubeMapProjector*> used = cubeMaps_.nearest(frame.position);
+    for (CubeMapProjector* projector : used) {
+        projector->tiles.setFrame(frames_);
+    }
     if (Status status = schedule_.compute(used); !status) {
         return status;
     }

@@ -82,8 +82,16 @@ private:
     float builtRadius_ = 0.0F; ///< that the cube maps which are not dirty were built with
 
     std::optional<Survey::Answer> latestSurvey_; ///< of the cube maps as they are
-    Survey::Answer shownSurvey_{
-        .frame = 0, .shaded = -1.0F, .points = {}, .footprints = {}, .hiddenFrom = {}, .best = {}};
+    Survey::Answer shownSurvey_{.frame = 0,
+                                .shaded = -1.0F,
+                                .points = {},
+                                .shades = {},
+                                .footprints = {},
+                                .hiddenFrom = {},
+                                .best = {},
+                                .projected = {}};
+    /// Share of the surfaces that are shaded, or may be by what is on its way.
+    std::optional<float> coverageToCome_;
     std::uint64_t frames_ = 0;                 ///< ended
     std::vector<CubeMapProjector*> projected_; ///< in the latest frame
     bool texelsComplete_ = true;    ///< of the cube maps in use, as far as views ask for them

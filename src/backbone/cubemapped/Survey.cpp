@@ -77,9 +77,11 @@ Survey::Answer Survey::evaluate(const Request& request, std::span<const std::uin
     Answer answer{.frame = request.frame,
                   .eye = request.eye,
                   .points = {},
+                  .shades = {},
                   .footprints = {},
                   .hiddenFrom = {},
-                  .best = {}};
+                  .best = {},
+                  .projected = request.cubeMaps};
     std::vector<std::size_t> shadedBy(request.cubeMaps.size() + 1, 0);
     std::size_t shaded = 0;
     answer.points.reserve(pixels.size() / sizeof(glm::vec4));
@@ -90,6 +92,7 @@ Survey::Answer Survey::evaluate(const Request& request, std::span<const std::uin
         std::memcpy(&sample, pixels.data() + i, sizeof(sample));
         if (sample.w != 0.0F) {
             answer.points.emplace_back(sample);
+            answer.shades.push_back(sample.w > 0.0F);
             answer.footprints.push_back(std::abs(sample.w));
             const std::size_t cubeMap = std::min(cubeMapOf(sample.w), request.cubeMaps.size());
             const bool hidden = sample.w < 0.0F && cubeMap < request.cubeMaps.size();

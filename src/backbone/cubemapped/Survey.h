@@ -28,6 +28,7 @@ public:
         float shaded = 1.0F;           ///< share of the surfaces; 1 when there are none
         glm::dvec3 eye{0.0};           ///< of that frame, world units
         std::vector<glm::vec3> points; ///< of the surfaces, relative to the eye, world axes
+        std::vector<bool> shades;      ///< by point: whether a cube map does
         std::vector<float> footprints; ///< what a pixel covers there, square on, world units
         /// By point: the cube map that might know the surface, but for another before it; 0 where
         /// some cube map knows it or none looks that way.
@@ -35,6 +36,7 @@ public:
         /// Share of the surfaces that a cube map shades, as the best of all; none for those that
         /// are best nowhere.
         std::map<CubeMapId, float> best;
+        std::vector<CubeMapId> projected; ///< the cube maps that it saw
     };
     /// The newest answer that has arrived since the last call, if any.
     std::optional<Answer> poll();

@@ -24,6 +24,13 @@ TileProgress::Region TileProgress::region(int tile) const {
     return {tile / perFace, x, y, std::min(kTile, faceSize_ - x), std::min(kTile, faceSize_ - y)};
 }
 
+int TileProgress::tileAt(int face, const glm::vec2& at) const {
+    const auto tileOf = [this](float texel) {
+        return std::clamp(static_cast<int>(texel) / kTile, 0, perEdge_ - 1);
+    };
+    return (face * perEdge_ + tileOf(at.y)) * perEdge_ + tileOf(at.x);
+}
+
 void TileProgress::ask(int face, const glm::vec2& at, int perBlock) {
     const auto tileOf = [&](float texel) {
         return std::clamp(static_cast<int>(texel) / kTile, 0, perEdge_ - 1);
@@ -84,7 +91,11 @@ void TileProgress::askAll() {
 }
 
 void TileProgress::setPasses(int tile, int passes) {
-    tiles_[static_cast<std::size_t>(tile)].passes = static_cast<std::uint16_t>(passes);
+    Tile& of = tiles_[static_cast<std::size_t>(tile)];
+    if (of.passes == 0) {
+        of.begunIn = frame_;
+    }
+    of.passes = static_cast<std::uint16_t>(passes);
 }
 
 int TileProgress::fewestPasses() const {

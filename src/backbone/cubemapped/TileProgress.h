@@ -38,10 +38,19 @@ public:
     ///                  first, or one more than there are complete
     void ask(int face, const glm::vec2& at, int perBlock = 0);
     void askAll();
+    /// The tile that a point of a face lies in. @param at  texels
+    int tileAt(int face, const glm::vec2& at) const;
     bool asked(int tile) const { return tiles_[static_cast<std::size_t>(tile)].asked; }
 
     int passes(int tile) const { return tiles_[static_cast<std::size_t>(tile)].passes; }
     void setPasses(int tile, int passes);
+    /// The frame in which passes are set from now on.
+    void setFrame(std::uint64_t frame) { frame_ = frame; }
+    /// Whether a tile had its first pass before a frame.
+    bool begunBefore(int tile, std::uint64_t frame) const {
+        const Tile& of = tiles_[static_cast<std::size_t>(tile)];
+        return of.passes > 0 && of.begunIn < frame;
+    }
     /// Fewest passes of any tile that is asked for; -1 when none is.
     int fewestPasses() const;
     /// Whether some tile that is asked for has had fewer passes than this.
@@ -89,10 +98,12 @@ private:
         std::uint8_t offered = 0;
         std::uint16_t passes = 0;
         std::uint16_t blockPasses = 0;
+        std::uint64_t begunIn = 0; ///< frame of the first pass
         int blocksNeeded() const { return refused ? 0 : std::min(blocksAsked, offered); }
     };
     int faceSize_ = 0;
     int perEdge_ = 0;
+    std::uint64_t frame_ = 0;
     std::vector<Tile> tiles_;
 };
 

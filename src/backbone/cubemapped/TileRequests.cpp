@@ -1,5 +1,6 @@
 #include "backbone/cubemapped/TileRequests.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "shared/cube_faces.h"
@@ -11,14 +12,15 @@ namespace {
 /// Texels this many times as wide as the pixels that show them are too coarse for edges.
 constexpr float kCoarse = 1.25F;
 
-} // namespace
-
-void requestTiles(CubeMapProjector& projector, const Survey::Answer& answer,
-                  const BlockStore& blocks, int passes) {
+/// The same for one cube map. @param covered  by point; set for those that it may shade yet.
+void requestTilesOf(CubeMapProjector& projector, const Survey::Answer& answer,
+                    const BlockStore& blocks, int passes, std::vector<bool>& covered) {
     const bool ofHidden = blocks.scale() == 1;
     const bool recent = answer.frame > projector.surveysBefore;
+    const bool seen = std::ranges::count(answer.projected, projector.id()) > 0;
     const glm::vec3 toEye(answer.eye - glm::dvec3(projector.position()));
-    const auto size = static_cast<float>(projector.tiles.faceSize());
+    TileProgress& tiles = projector.tiles;
+    const auto size = static_cast<float>(tiles.faceSize());
     for (std::size_t i = 0; i < answer.points.size(); ++i) {
         const glm::vec3 p = toEye + answer.points[i];
         const int face = shared::faceOf(p);
@@ -27,11 +29,30 @@ void requestTiles(CubeMapProjector& projector, const Survey::Answer& answer,
         if (!std::isfinite(inFace.z * perUnit)) {     // the centre itself, or beyond floats
             continue;
         }
-        const bool block = ofHidden ? recent && answer.hiddenFrom[i] == projector.id()
-                                    : 1.0F > kCoarse * answer.footprints[i] * perUnit;
-        projector.tiles.ask(face, glm::vec2(inFace) * perUnit + 0.5F * size,
-                            block && blocks.fits() ? passes : 0);
+        const glm::vec2 at = glm::vec2(inFace) * perUnit + 0.5F * size;
+        const bool hidden = ofHidden && answer.hiddenFrom[i] == projector.id();
+        const bool block =
+            ofHidden ? recent && hidden : 1.0F > kCoarse * answer.footprints[i] * perUnit;
+        tiles.ask(face, at, block && blocks.fits() ? passes : 0);
+        if (!covered[i]) {
+            const int tile = tiles.tileAt(face, at);
+            covered[i] = !seen || !tiles.begunBefore(tile, answer.frame) ||
+                         (hidden && (!recent || tiles.lacksBlocks(tile, passes)));
+        }
     }
+}
+
+} // namespace
+
+float requestTiles(const std::vector<CubeMapProjector*>& projectors, const Survey::Answer& answer,
+                   const BlockStore& blocks, int passes) {
+    std::vector<bool> covered = answer.shades;
+    for (CubeMapProjector* projector : projectors) {
+        requestTilesOf(*projector, answer, blocks, passes, covered);
+    }
+    return covered.empty() ? 1.0F
+                           : static_cast<float>(std::ranges::count(covered, true)) /
+                                 static_cast<float>(covered.size());
 }
 
 } // namespace aolib

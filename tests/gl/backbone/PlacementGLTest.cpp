@@ -1,4 +1,9 @@
 // Cube maps by coverage: the first at the eye, the next where a walk turns a corner.
+#include <chrono>
+#include <thread>
+
+#include <aolib/RayTracing.h>
+
 #include "SmallScene.h"
 
 namespace aolib {
@@ -36,7 +41,8 @@ TEST_P(PlacementGLTest, TheFirstCubeMapStandsAtTheEyeAndCoversWhatItSees) {
 }
 
 TEST_P(PlacementGLTest, AWalkRoundACornerPlacesAnotherAndStaysCovered) {
-    SmallHost host(gl, loader, corridor(), placementOptions());
+    const Options o = placementOptions();
+    SmallHost host(gl, loader, corridor(), o);
     std::size_t known = 0;
     int framesBelow = 0;
     for (int i = 0; i <= 80; ++i) {
@@ -49,11 +55,37 @@ TEST_P(PlacementGLTest, AWalkRoundACornerPlacesAnotherAndStaysCovered) {
         const float coverage = host.ao().statistics().coverage;
         const bool placed = host.ao().cubeMaps().size() > known;
         known = host.ao().cubeMaps().size();
-        framesBelow = coverage >= 0 && coverage < 0.75F && !placed ? framesBelow + 1 : 0;
+        framesBelow =
+            coverage >= 0 && coverage < o.cubeMaps.coverage && !placed ? framesBelow + 1 : 0;
         EXPECT_LE(framesBelow, 1) << "frame " << i << ": " << coverage;
     }
     EXPECT_GE(known, 2U);
     EXPECT_LE(known, 8U) << "no more than the corridor needs";
+}
+
+TEST_P(PlacementGLTest, AWalkDoesNotWaitForItsCubeMapsToBeComplete) {
+    Options o = placementOptions();
+    o.estimator = Estimator::RayTraced;
+    o.rayTraced.rays = 4096; // there is always something left to do
+    o.frameBudget = 4.0F;
+    SmallHost host(gl, loader, corridor(), o);
+    host.ao().setTexelTracer(std::move(*createTexelTracer(1)));
+    const auto enough = [&] { return host.ao().statistics().coverage >= o.cubeMaps.coverage; };
+    constexpr int kSteps = 160; // towards the corner and round it
+    constexpr int kMostFrames = 500;
+    for (int i = 0; i < kSteps || (!enough() && i < kSteps + kMostFrames); ++i) {
+        const float way = 14.0F + 0.1F * static_cast<float>(std::min(i, kSteps));
+        const float turn = 0.001F * static_cast<float>(i % 2); // never at rest
+        const glm::vec3 eye(std::min(way, 20.0F), 1.7F, std::max(way - 20.0F, 0.0F));
+        host.lookAt(eye, eye + (way < 20.0F ? glm::vec3(1, 0, turn) : glm::vec3(turn, 0, 1)));
+        ASSERT_TRUE(host.frame().ok());
+        gl.Finish();
+        std::this_thread::sleep_for(std::chrono::milliseconds(1)); // for the tracer's worker
+        EXPECT_FALSE(host.ao().statistics().converged);
+    }
+    EXPECT_TRUE(enough()) << host.ao().statistics().coverage;
+    EXPECT_GE(host.ao().cubeMaps().size(), 2U);
+    EXPECT_LE(host.ao().cubeMaps().size(), 8U) << "what is on its way is waited for";
 }
 
 TEST_P(PlacementGLTest, PlacementCanBeSwitchedOff) {

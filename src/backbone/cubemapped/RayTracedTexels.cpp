@@ -8,6 +8,8 @@
 #include <glm/geometric.hpp>
 
 #include "backbone/cubemapped/FaceCapture.h"
+#include "backbone/cubemapped/RoughTiles.h"
+#include "backbone/cubemapped/TileKey.h"
 #include "shared/cube_faces.h"
 #include "shared/distance_code.h"
 
@@ -24,68 +26,8 @@ constexpr std::size_t kQueue = 512;
 /// Results that are taken before the clock is looked at again: a block of detail takes a while.
 constexpr std::size_t kAtATime = 1;
 
-/// Two neighbouring texels are one surface when the second lies on the first's tangent plane to
-/// within this many footprints, their normals agree by this cosine, and W by this much.
-constexpr float kSmoothFootprints = 0.5F;
-constexpr float kSmoothCosine = 0.94F;
-constexpr float kSmoothVisibility = 0.3F;
-
-// A request's key: cube map, whether it is of detail, tile and generation.
-constexpr unsigned kTileBits = 23;
-constexpr unsigned kGenerationBits = 16;
-
-struct Key {
-    std::uint32_t cubeMap;
-    bool detail;
-    int tile;
-    std::uint32_t generation;
-
-    std::uint64_t packed() const {
-        return ((std::uint64_t{cubeMap} * 2U + (detail ? 1U : 0U))
-                << (kTileBits + kGenerationBits)) |
-               (static_cast<std::uint64_t>(tile) << kGenerationBits) | generation;
-    }
-    static Key unpacked(std::uint64_t key) {
-        const std::uint64_t top = key >> (kTileBits + kGenerationBits);
-        return {static_cast<std::uint32_t>(top / 2U), top % 2U == 1U,
-                static_cast<int>((key >> kGenerationBits) & ((1ULL << kTileBits) - 1ULL)),
-                static_cast<std::uint32_t>(key & ((1ULL << kGenerationBits) - 1ULL))};
-    }
-};
-
 std::uint32_t number(const CubeMapProjector& projector) {
     return static_cast<std::uint32_t>(projector.id());
-}
-
-/// Whether surfaces end or bend within a tile, so that its texels do not show all of it.
-bool isRough(const TracedTexels& traced) {
-    const TexelRequest& request = traced.request;
-    const auto pointAt = [&](std::size_t i) {
-        const glm::vec2 at(request.x + static_cast<int>(i) % request.width,
-                           request.y + static_cast<int>(i) / request.width);
-        return traced.distance[i] *
-               glm::normalize(shared::faceDirection(
-                   request.face, (at + 0.5F) / static_cast<float>(request.faceSize)));
-    };
-    const auto differ = [&](std::size_t a, std::size_t b) {
-        if (traced.distance[a] < 0.0F || traced.distance[b] < 0.0F) {
-            return false;
-        }
-        const float footprint = 2.0F * traced.distance[a] / static_cast<float>(request.faceSize);
-        return glm::dot(traced.normal[a], traced.normal[b]) < kSmoothCosine ||
-               std::abs(glm::dot(traced.normal[a], pointAt(b) - pointAt(a))) >
-                   kSmoothFootprints * footprint ||
-               std::abs(traced.visibility[a] - traced.visibility[b]) > kSmoothVisibility;
-    };
-    const auto width = static_cast<std::size_t>(request.width);
-    for (std::size_t i = 0; i < traced.distance.size(); ++i) {
-        const bool right = i % width + 1 < width;
-        const bool above = i + width < traced.distance.size();
-        if ((right && differ(i, i + 1)) || (above && differ(i, i + width))) {
-            return true;
-        }
-    }
-    return false;
 }
 
 } // namespace
@@ -119,7 +61,7 @@ void RayTracedTexels::sceneChanged() {
 }
 
 std::uint32_t RayTracedTexels::nextGeneration() {
-    generations_ = (generations_ + 1U) % (1U << kGenerationBits);
+    generations_ = (generations_ + 1U) % (1U << TileKey::kGenerationBits);
     return generations_;
 }
 
@@ -205,7 +147,8 @@ void RayTracedTexels::request(const std::vector<CubeMapProjector*>& projectors) 
         const TileProgress::Region region = projector.tiles.region(one.tile);
         const int scale = one.detail ? blocks_.scale() : 1;
         const int before = raysAfter(one.passes);
-        const Key key{number(projector), one.detail, one.tile, workOf(projector.id()).generation};
+        const TileKey key{number(projector), one.detail, one.tile,
+                          workOf(projector.id()).generation};
         queue.push_back({.key = key.packed(),
                          .centre = projector.position(),
                          .faceSize = scale * projector.tiles.faceSize(),
@@ -230,7 +173,7 @@ Status RayTracedTexels::takeResults(const std::vector<CubeMapProjector*>& projec
     for (auto results = queue_.take(TracerQueue::Asker::Texels, kAtATime); !results.empty();
          results = queue_.take(TracerQueue::Asker::Texels, kAtATime)) {
         for (const TracedTexels& traced : results) {
-            const Key key = Key::unpacked(traced.request.key);
+            const TileKey key = TileKey::unpacked(traced.request.key);
             const auto found =
                 std::find_if(projectors.begin(), projectors.end(), [&](const auto* projector) {
                     return number(*projector) == key.cubeMap;

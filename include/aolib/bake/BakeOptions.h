@@ -67,8 +67,8 @@ struct RayOptions {
 
 /// Settings of baking by scattered points, on the GPU.
 struct ScatterOptions {
-    int directions = 512;   ///< of light, count, 1 to 2^20
-    float radius = 0.0F;    ///< as in RayOptions; at least a 512th of the scene's diagonal
+    int directions = 512;            ///< of light, count, 1 to 2^20
+    float radius = 0.0F;             ///< as in RayOptions; at least a 512th of the scene's diagonal
     Falloff falloff = Falloff::Step; ///< weight of an occluder by its distance
     int rasterSize = 0;     ///< pixels along the picture from each direction, 64 to 16384; 0
                             ///< derives it from the texels that charts cover
@@ -83,14 +83,14 @@ struct ScatterOptions {
 
 /// Settings of baking by shadow maps, on the GPU.
 struct ShadowOptions {
-    int directions = 512; ///< of light, count, 1 to 2^20
-    float radius = 0.0F;  ///< as in RayOptions; at least a 512th of the scene's diagonal
+    int directions = 512;            ///< of light, count, 1 to 2^20
+    float radius = 0.0F;             ///< as in RayOptions; at least a 512th of the scene's diagonal
     Falloff falloff = Falloff::Step; ///< weight of an occluder by its distance
-    int depthSize = 1024; ///< texels along a depth map, 64 to 8192
-    int mapsPerPass = 8;  ///< depth maps read in one pass, count, 1 to 16; pairs of them where
-                          ///< there is a radius
-    float bias = 1.0F;    ///< how far receivers on a slope are lifted off it, texels of the depth
-                          ///< map times the sine of the slope, 0 to 16
+    int depthSize = 1024;            ///< texels along a depth map, 64 to 8192
+    int mapsPerPass = 8; ///< depth maps read in one pass, count, 1 to 16; pairs of them where
+                         ///< there is a radius
+    float bias = 1.0F;   ///< how far receivers on a slope are lifted off it, texels of the depth
+                         ///< map times the sine of the slope, 0 to 16
     Sky sky = Sky::Sphere;
     std::uint32_t seed = 0; ///< another seed, another noise
 };

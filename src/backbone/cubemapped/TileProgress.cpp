@@ -24,21 +24,19 @@ TileProgress::Region TileProgress::region(int tile) const {
     return {tile / perFace, x, y, std::min(kTile, faceSize_ - x), std::min(kTile, faceSize_ - y)};
 }
 
+int TileProgress::along(float texel) const {
+    return std::clamp(static_cast<int>(texel) / kTile, 0, perEdge_ - 1);
+}
+
 int TileProgress::tileAt(int face, const glm::vec2& at) const {
-    const auto tileOf = [this](float texel) {
-        return std::clamp(static_cast<int>(texel) / kTile, 0, perEdge_ - 1);
-    };
-    return (face * perEdge_ + tileOf(at.y)) * perEdge_ + tileOf(at.x);
+    return (face * perEdge_ + along(at.y)) * perEdge_ + along(at.x);
 }
 
 void TileProgress::ask(int face, const glm::vec2& at, int perBlock) {
-    const auto tileOf = [&](float texel) {
-        return std::clamp(static_cast<int>(texel) / kTile, 0, perEdge_ - 1);
-    };
-    const int lastColumn = tileOf(at.x + kNear);
-    const int lastRow = tileOf(at.y + kNear);
-    const int firstColumn = tileOf(at.x - kNear);
-    for (int row = tileOf(at.y - kNear); row <= lastRow; ++row) {
+    const int lastColumn = along(at.x + kNear);
+    const int lastRow = along(at.y + kNear);
+    const int firstColumn = along(at.x - kNear);
+    for (int row = along(at.y - kNear); row <= lastRow; ++row) {
         for (int column = firstColumn; column <= lastColumn; ++column) {
             Tile& tile =
                 tiles_[static_cast<std::size_t>((face * perEdge_ + row) * perEdge_ + column)];

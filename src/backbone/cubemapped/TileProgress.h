@@ -101,6 +101,9 @@ private:
         std::uint64_t begunIn = 0; ///< frame of the first pass
         int blocksNeeded() const { return refused ? 0 : std::min(blocksAsked, offered); }
     };
+    /// Tiles before the one that a texel of an edge lies in.
+    int along(float texel) const;
+
     int faceSize_ = 0;
     int perEdge_ = 0;
     std::uint64_t frame_ = 0;

@@ -88,5 +88,22 @@ TEST(TileProgressTest, BlocksAreAskedForOneAfterTheOther) {
     EXPECT_EQ(tiles.blocksNeeded(0), 0) << "what there is to offer is not known yet";
 }
 
+TEST(TileProgressTest, KnowsSinceWhichFrameATileHasBeenBegun) {
+    TileProgress tiles(64);
+    const int tile = tiles.tileAt(5, {40.0F, 3.0F});
+    EXPECT_EQ(tiles.region(tile).face, 5);
+    EXPECT_EQ(tiles.region(tile).x, 32);
+    EXPECT_EQ(tiles.region(tile).y, 0);
+    EXPECT_FALSE(tiles.begunBefore(tile, 100)) << "it has had no pass";
+    tiles.setFrame(7);
+    tiles.setPasses(tile, 1);
+    tiles.setFrame(9);
+    tiles.setPasses(tile, 2);
+    EXPECT_FALSE(tiles.begunBefore(tile, 7));
+    EXPECT_TRUE(tiles.begunBefore(tile, 8));
+    tiles.restart();
+    EXPECT_FALSE(tiles.begunBefore(tile, 100));
+}
+
 } // namespace
 } // namespace aolib

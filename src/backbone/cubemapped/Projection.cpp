@@ -19,7 +19,7 @@ constexpr int kBestUnit = 4;
 constexpr int kRepairedUnit = 5;
 constexpr int kHalfUnit = 6;
 /// Defined in the shaders that look at blocks and at repaired pixels, too.
-constexpr const char* kBlocks = "AO_BLOCKS";
+constexpr const char* kWithBlocks = "AO_BLOCKS";
 constexpr const char* kRepaired = "AO_REPAIRED";
 
 /// Two faces' layers as one number, as shaders/cubemap/projection.glsl takes them apart.
@@ -35,7 +35,7 @@ int pairOfLayers(const CubeMapProjector& projector, int face) {
 Result<Projection> Projection::create(const BackboneContext& context) {
     Projection projection;
     for (std::size_t variant = 0; variant < projection.shade_.size(); ++variant) {
-        const char* blocks = variant % 2 == 1 ? kBlocks : "";
+        const char* blocks = variant % 2 == 1 ? kWithBlocks : "";
         const char* repaired = variant / 2 == 1 ? kRepaired : "";
         auto project =
             buildShader(context.gl, "fullscreen.vert", "cubemap/project.frag", {blocks, repaired});

@@ -136,7 +136,11 @@ bool RequestTracer::traceBlock(int column, int row) {
         }
         result_.distance[places[i]] = static_cast<float>(seen[i]->hit.distance);
         result_.normal[places[i]] = glm::vec3(seen[i]->normal);
-        const glm::dvec3 lifted = seen[i]->hit.position + seen[i]->hit.clearance * seen[i]->normal;
+        // Off its own surface, and off any other that it touches: what sees it is before both.
+        const glm::dvec3& position = seen[i]->hit.position;
+        const double touch = scene_.resolution(position, glm::dvec3(1.0));
+        const glm::dvec3 lifted =
+            position + seen[i]->hit.clearance * seen[i]->normal - touch * seen[i]->direction;
         const RayPattern pattern = rayPattern(texels[i], seen[i]->normal);
         group_.add(
             {glm::vec3(scene_.toFrame(lifted)), glm::mat3(pattern.basis), pattern.seed, places[i]});

@@ -42,7 +42,7 @@ SurfaceFinder::Ray SurfaceFinder::ray(const Texel& texel) const {
 /// its plane, which is exact, the ray says where the point is, unless it runs along the plane.
 SurfaceFinder::Seen SurfaceFinder::seen(const Hit& hit, const Ray& ray) {
     const double slope = glm::dot(hit.normal, ray.direction);
-    Seen result{hit, slope > 0.0 ? -hit.normal : hit.normal};
+    Seen result{hit, slope > 0.0 ? -hit.normal : hit.normal, ray.direction};
     if (std::abs(slope) > leastSlope) {
         result.hit.distance = glm::dot(hit.position - ray.origin, hit.normal) / slope;
         result.hit.position = ray.origin + result.hit.distance * ray.direction;

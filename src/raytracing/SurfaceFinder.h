@@ -24,8 +24,9 @@ public:
         int y = 0;
     };
     struct Seen {
-        Hit hit;                ///< `u` and `v` apart, on the texel's ray in double precision
-        glm::dvec3 normal{0.0}; ///< of the hit, turned to the viewer
+        Hit hit;                   ///< `u` and `v` apart, on the texel's ray in double precision
+        glm::dvec3 normal{0.0};    ///< of the hit, turned to the viewer
+        glm::dvec3 direction{0.0}; ///< in which it was seen, of length 1
     };
     using SeenList = std::array<std::optional<Seen>, packet>;
 

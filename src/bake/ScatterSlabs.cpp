@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "bake/BakeShaders.h"
+#include "bake/MadeParts.h"
 
 namespace aolib::bake {
 
@@ -17,24 +18,17 @@ constexpr int slabsAtOnce = 16;
 Result<ScatterSlabs> ScatterSlabs::create(const gl::Functions& gl, int rasterSize,
                                           const BakeVertices& vertices) {
     ScatterSlabs slabs(gl, vertices);
-    Status status;
-    const auto keep = [&](auto& place, auto result) {
-        if (status) {
-            status = result.status();
-        }
-        if (result) {
-            place = std::move(*result);
-        }
-    };
-    keep(slabs.depthShader_, buildBakeShader(gl, "bake/depth.vert", "bake/depth.frag"));
-    keep(slabs.hideShader_, buildBakeShader(gl, "bake/fullscreen.vert", "bake/scatter_hide.frag"));
+    MadeParts parts;
+    parts.keep(slabs.depthShader_, buildBakeShader(gl, "bake/depth.vert", "bake/depth.frag"));
+    parts.keep(slabs.hideShader_,
+               buildBakeShader(gl, "bake/fullscreen.vert", "bake/scatter_hide.frag"));
     gl::RenderToTexture2D::Settings settings;
     settings.width = settings.height = rasterSize;
     settings.depth = gl::RenderToTexture2D::Depth::Depth32F;
     settings.label = "aolib/bake/before";
-    keep(slabs.before_, gl::RenderToTexture2D::create(gl, settings));
-    keep(slabs.fullscreen_, gl::VertexArray::createEmpty(gl, "aolib/bake/fullscreen"));
-    return status ? Result<ScatterSlabs>(std::move(slabs)) : status;
+    parts.keep(slabs.before_, gl::RenderToTexture2D::create(gl, settings));
+    parts.keep(slabs.fullscreen_, gl::VertexArray::createEmpty(gl, "aolib/bake/fullscreen"));
+    return parts.status() ? Result<ScatterSlabs>(std::move(slabs)) : parts.status();
 }
 
 void ScatterSlabs::begin(const LightView& view) {

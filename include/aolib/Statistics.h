@@ -28,7 +28,7 @@ struct CubeMapInfo {
 struct Statistics {
     std::uint64_t frame = 0;                    ///< frames ended so far
     Estimator estimator = Estimator::Automatic; ///< in force: the one that Automatic chose, too
-    float coverage = -1.0F;            ///< share of geometry pixels that are shaded; -1 until known
+    float coverage = -1.0F; ///< share of geometry pixels that are shaded; -1 until known
     /// The frame that `coverage` was counted in: a few back, up to a dozen for a view at rest.
     std::uint64_t coverageFrame = 0;
     int cubeMapsProjected = 0;         ///< in the latest frame

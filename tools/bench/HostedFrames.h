@@ -36,8 +36,8 @@ public:
                                        const PictureSize& size);
 
     void setCamera(const NamedCamera& camera);
-    /// Draws one frame from this far to the right of the camera, world units, the next from the camera and
-    /// so forth: never twice the same view in turn. 0: at rest.
+    /// Draws one frame from this far to the right of the camera, world units, the next from the
+    /// camera and so forth: never twice the same view in turn. 0: at rest.
     void setSway(float distance) { sway_ = distance; }
     /// Draws a frame with ambient occlusion. Errors: those of the library.
     Result<FrameTimes> draw(AmbientOcclusion& ao) { return draw(ao, nullptr); }

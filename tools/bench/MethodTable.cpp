@@ -67,8 +67,8 @@ FacadeMethod& named(Method& method, const std::string& suffix, const std::string
     return std::get<FacadeMethod>(method.how);
 }
 
-/// The same as a moving camera sees it: pixels are not computed themselves, and no frame has the view of
-/// the one before.
+/// The same as a moving camera sees it: pixels are not computed themselves, and no frame has the
+/// view of the one before.
 Method moving(Method method) {
     FacadeMethod& facade = named(method, "-moving", " moving");
     facade.options.cubeMaps.repair = false;

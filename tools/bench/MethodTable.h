@@ -29,9 +29,9 @@ std::string_view familyName(Family family);
 
 /// Through the library's facade.
 struct FacadeMethod {
-    Options options;    ///< but for the radius, which is the case's
-    int cubeMaps = 1;   ///< placed by hand: one at the eye, others before what it sees; 0 for none
-    bool tracer = true; ///< the host gives one
+    Options options;     ///< but for the radius, which is the case's
+    int cubeMaps = 1;    ///< placed by hand: one at the eye, others before what it sees; 0 for none
+    bool tracer = true;  ///< the host gives one
     bool moving = false; ///< frames are timed while the camera moves
 };
 

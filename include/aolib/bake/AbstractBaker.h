@@ -44,7 +44,7 @@ struct BakedVertices {
     std::vector<float> visibility;     ///< 0 to 1; 1 where no triangle with an area uses it
     std::vector<glm::vec3> bentNormal; ///< as in BakedMap
     std::vector<OpenSectors> sectors;  ///< the open rays of those that a vertex sent to each, W
-                                      ///< where it sent none; where asked for, else none
+                                       ///< where it sent none; where asked for, else none
 };
 
 /// Computes visibility W and bent normals of a scene, by whatever method. Directions below a

@@ -87,6 +87,8 @@ void visitOptions(OptionsType& o, Visitor&& visit) {
           "how cube maps reach the picture");
     visit("memory-budget", o.cubeMaps.memoryBudget, OptionRange{0.0, 1048576.0},
           "MiB of GPU memory that cube maps may keep; 0 = no limit");
+    visit("fallback", o.cubeMaps.fallback,
+          "shade what no cube map knows by what is in sight, as screen space does");
     visit("repair", o.cubeMaps.repair,
           "while the view rests, also compute its pixels by themselves: ray-traced, "
           "layered-intervals");

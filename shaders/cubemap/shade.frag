@@ -9,6 +9,7 @@
 uniform ivec2 uOrigin; // lower left corner of the host's viewport, pixels
 uniform int uCubes;
 uniform float uContrast;
+uniform bool uKnownAlone; // else W is 1 where no cube map knows the surface
 
 layout(location = 0) out vec4 outFactor;
 
@@ -26,6 +27,9 @@ void main() {
         Projected best = nothingProjected();
         projectAll(0, uCubes, eyeTo, normal, resolution, best);
         refine(eyeTo, normal, resolution, best);
+        if (uKnownAlone && best.weights <= 0.0) {
+            discard;
+        }
         visibility = best.weights > 0.0 ? best.sum / best.weights : 1.0;
     }
     outFactor = vec4(vec3(1.0 - uContrast + uContrast * visibility), 1.0);

@@ -4,6 +4,7 @@
 
 uniform ivec2 uOrigin; // lower left corner of the host's viewport, pixels
 uniform float uContrast;
+uniform bool uKnownAlone; // else W is 1 where no cube map knows the surface
 
 layout(location = 0) out vec4 outFactor;
 
@@ -14,6 +15,9 @@ void main() {
         discard;
     }
     vec4 told = upsampled(pixel, surface);
+    if (uKnownAlone && told.a <= 0.0) {
+        discard;
+    }
     float visibility = told.a > 0.0 ? told.r : 1.0;
     outFactor = vec4(vec3(1.0 - uContrast + uContrast * visibility), 1.0);
 }

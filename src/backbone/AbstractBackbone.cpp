@@ -104,6 +104,7 @@ Result<const gl::RenderToTexture2D*> AbstractBackbone::fillBuffers(const Frame& 
             !status) {
             return status;
         }
+        fillIn(frame, **projected, visibility_);
         buffered_ = true;
     }
     return projected;

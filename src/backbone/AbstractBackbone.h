@@ -62,6 +62,10 @@ protected:
     /// Finds each pixel's value: texture 0 of the target holds its weighted sum, log2 of its
     /// quality (below kUnshaded nothing is known), the code of a cube's face, and the weight.
     virtual Result<const gl::RenderToTexture2D*> computeVisibility(const Frame& frame) = 0;
+    /// After the blur: fills in what computeVisibility() left without a value.
+    /// @param visibility  W (-1 background), shaded
+    virtual void fillIn(const Frame& /*frame*/, const gl::RenderToTexture2D& /*projected*/,
+                        const gl::RenderToTexture2D& /*visibility*/) {}
     /// Whether its values are noisy, so that they must be blurred.
     virtual bool noisy() const { return true; }
     /// After the composite: survey, gizmos.

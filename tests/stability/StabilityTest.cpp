@@ -15,6 +15,7 @@ Options StabilityTest::options(float radius) {
     options.cubeMaps.repair = false; // what cube maps know, not the view at rest
     options.cubeMaps.faceSize = kFaceSize;
     options.cubeMaps.place = false;
+    options.cubeMaps.fallback = false; // what cube maps know
     return options;
 }
 

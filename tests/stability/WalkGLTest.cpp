@@ -34,42 +34,49 @@ protected:
         at.target = at.eye + forward * std::cos(6.28F * share) + side * std::sin(6.28F * share);
         return at;
     }
+    void walk(const std::string& scene, const Model& model, const Options& o,
+              const std::string& which) {
+        const std::vector<NamedCamera> cameras = camerasFor(scene, model);
+        const auto with = host(model, o, 240, 136);
+        std::vector<double> errors;
+        double covered = 0.0;
+        for (int frame = 0; frame < kFrames; ++frame) {
+            with->useCamera(scene == "room" ? between(cameras[1], cameras[0], frame)
+                                            : ahead(cameras[1], frame));
+            const auto drawn = std::chrono::steady_clock::now() + std::chrono::milliseconds(16);
+            if (frame % kBetweenLooks == kBetweenLooks - 1) {
+                errors.push_back(errorOf(shoot(*with), model, o, 32).rmse);
+                covered += static_cast<double>(with->ao().statistics().coverage);
+            } else {
+                ASSERT_TRUE(with->frame().ok());
+                gl.Finish();
+                std::this_thread::sleep_until(drawn);
+            }
+        }
+        report(which + ": coverage", covered / static_cast<double>(errors.size()));
+        report(which + ": cube maps", static_cast<double>(with->ao().cubeMaps().size()));
+        report(which + ": median RMSE", percentile(errors, 0.5));
+        report(which + ": worst RMSE", percentile(errors, 1.0));
+    }
 };
 
 TEST_P(WalkGLTest, DISABLED_ErrorOnTheWay) {
     for (const std::string scene : {"room", "town"}) {
         const auto model = openScene(scene);
         ASSERT_TRUE(model.ok()) << model.sentence();
-        const std::vector<NamedCamera> cameras = camerasFor(scene, *model);
         for (const float coverage : {0.75F, CubeMapOptions{}.coverage, 0.95F}) {
-            Options o = options(0.1F * model->bounds().diagonal());
-            o.rayTraced.rays = 256;
-            o.frameBudget = 4.0F;
-            o.cubeMaps.faceSize = 512;
-            o.cubeMaps.place = true;
-            o.cubeMaps.coverage = coverage;
-            const auto with = host(*model, o, 240, 136);
-            std::vector<double> errors;
-            double covered = 0.0;
-            for (int frame = 0; frame < kFrames; ++frame) {
-                with->useCamera(scene == "room" ? between(cameras[1], cameras[0], frame)
-                                                : ahead(cameras[1], frame));
-                const auto drawn = std::chrono::steady_clock::now() + std::chrono::milliseconds(16);
-                if (frame % kBetweenLooks == kBetweenLooks - 1) {
-                    errors.push_back(errorOf(shoot(*with), *model, o, 32).rmse);
-                    covered += static_cast<double>(with->ao().statistics().coverage);
-                } else {
-                    ASSERT_TRUE(with->frame().ok());
-                    gl.Finish();
-                    std::this_thread::sleep_until(drawn);
-                }
+            for (const bool fallback : {false, true}) {
+                Options o = options(0.1F * model->bounds().diagonal());
+                o.rayTraced.rays = 256;
+                o.frameBudget = 4.0F;
+                o.cubeMaps.faceSize = 512;
+                o.cubeMaps.place = true;
+                o.cubeMaps.coverage = coverage;
+                o.cubeMaps.fallback = fallback;
+                walk(scene, *model, o,
+                     scene + ", a cube map below " + std::to_string(coverage) +
+                         (fallback ? ", the rest by what is in sight" : ""));
             }
-            const std::string which = scene + ", a cube map below " + std::to_string(coverage);
-            const auto looks = static_cast<double>(errors.size());
-            report(which + ": coverage", covered / looks);
-            report(which + ": cube maps", static_cast<double>(with->ao().cubeMaps().size()));
-            report(which + ": median RMSE", percentile(errors, 0.5));
-            report(which + ": worst RMSE", percentile(errors, 1.0));
         }
     }
 }

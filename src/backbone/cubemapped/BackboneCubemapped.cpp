@@ -19,6 +19,9 @@ namespace {
 /// may draw what it has not described), and of one that moves.
 constexpr std::uint64_t kSurveyEveryAtRest = 8;
 constexpr std::uint64_t kSurveyEveryMoving = 3;
+/// Share of the surfaces that cube maps shade below which the rest stays white: their first texels
+/// are under way, and what is in sight costs by the pixel.
+constexpr float kLeastToFallBack = 0.5F;
 
 template <typename Part>
 Status make(std::optional<Part>& part, const BackboneContext& context) {
@@ -46,6 +49,7 @@ BackboneCubemapped::create(const BackboneContext& context) {
         }
     };
     then(backbone->projection_);
+    then(backbone->fallback_);
     then(backbone->survey_);
     then(backbone->sight_);
     then(backbone->outlines_);
@@ -297,6 +301,9 @@ void BackboneCubemapped::repair(const Frame& frame) {
         repairStatus_ = repair_.advance(view, budget);
     }
     const bool before = std::exchange(converged_, texelsComplete_ && repair_.done());
+    if (converged_ && !fallsBack()) {
+        projection_->dropTold();
+    }
     convergedIn_ = converged_ && !before ? frames_ + 1 : convergedIn_;
 }
 
@@ -313,9 +320,31 @@ bool BackboneCubemapped::noisy() const {
     return context_.options.estimator == Estimator::HorizonSplit;
 }
 
+bool BackboneCubemapped::fallsBack() const {
+    const float shaded = shownSurvey_.shaded; // -1 before the first
+    return context_.options.cubeMaps.fallback && !projected_.empty() && shaded < 1.0F &&
+           (schedule_.atOnce() || shaded >= kLeastToFallBack);
+}
+
 Status BackboneCubemapped::shadeDirectly(const Frame& frame) {
-    return projected_.empty() ? Status()
-                              : projection_->shade(context_, frame, host_, kept(), projected_);
+    if (projected_.empty()) {
+        return {};
+    }
+    if (!fallsBack()) {
+        return projection_->shade(context_, frame, host_, kept(), projected_);
+    }
+    const auto told = projection_->tell(context_, frame, host_, kept(), projected_);
+    if (told) {
+        fallback_->shade(context_, frame, host_, **told, radius());
+    }
+    return told.status();
+}
+
+void BackboneCubemapped::fillIn(const Frame& frame, const gl::RenderToTexture2D& projected,
+                                const gl::RenderToTexture2D& visibility) {
+    if (fallsBack()) {
+        fallback_->fill(context_, frame, host_, projected, radius(), visibility);
+    }
 }
 
 Result<const gl::RenderToTexture2D*> BackboneCubemapped::computeVisibility(const Frame& frame) {

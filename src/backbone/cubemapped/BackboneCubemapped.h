@@ -9,6 +9,7 @@
 #include "backbone/cubemapped/BuildSchedule.h"
 #include "backbone/cubemapped/CubeMapOutlines.h"
 #include "backbone/cubemapped/CubeMaps.h"
+#include "backbone/cubemapped/Fallback.h"
 #include "backbone/cubemapped/Projection.h"
 #include "backbone/cubemapped/SightTest.h"
 #include "backbone/cubemapped/Survey.h"
@@ -45,6 +46,8 @@ private:
     bool shadesDirectly() const override;
     Status shadeDirectly(const Frame& frame) override;
     Result<const gl::RenderToTexture2D*> computeVisibility(const Frame& frame) override;
+    void fillIn(const Frame& frame, const gl::RenderToTexture2D& projected,
+                const gl::RenderToTexture2D& visibility) override;
     bool noisy() const override;
     Status finishFrame(const Frame& frame) override;
     void addStatistics(Statistics& statistics) override;
@@ -68,6 +71,8 @@ private:
     /// Computes pixels of a view at rest whose cube maps are complete.
     void repair(const Frame& frame);
     KeptTexels kept() const;
+    /// Whether what no cube map knows is shaded by what is in sight.
+    bool fallsBack() const;
 
     SceneGeometry sceneGeometry_;
     CubeMaps cubeMaps_;
@@ -75,6 +80,7 @@ private:
     ViewRepair repair_;
     Status repairStatus_; ///< of the latest frame
     std::optional<Projection> projection_;
+    std::optional<Fallback> fallback_;
     std::optional<Survey> survey_;
     std::optional<SightTest> sight_;
     std::optional<CubeMapOutlines> outlines_;

@@ -115,10 +115,9 @@ void Projection::bindHalf(gl::GLSLShader& shader, const Frame& frame, const Host
     shader.set("uHalf", kHalfUnit);
 }
 
-Status Projection::shade(const BackboneContext& context, const Frame& frame,
-                         const HostFramebuffer& host, const KeptTexels& kept,
-                         const std::vector<CubeMapProjector*>& projectors) {
-    const gl::DebugGroup group(context.gl, "aolib: project and blend");
+Result<gl::GLSLShader*> Projection::bindShade(const BackboneContext& context, const Frame& frame,
+                                              const HostFramebuffer& host, const KeptTexels& kept,
+                                              const std::vector<CubeMapProjector*>& projectors) {
     gl::GLSLShader* shader = &variant(shade_, kept);
     if (context.options.cubeMaps.halfResolution) {
         const auto half = project(context, frame, host, kept, projectors);
@@ -130,12 +129,57 @@ Status Projection::shade(const BackboneContext& context, const Frame& frame,
     } else {
         bind(*shader, frame, host, kept, projectors);
     }
-    shader->set("uOrigin", frame.origin);
-    shader->set("uContrast", context.options.contrast);
+    return shader;
+}
+
+Status Projection::shade(const BackboneContext& context, const Frame& frame,
+                         const HostFramebuffer& host, const KeptTexels& kept,
+                         const std::vector<CubeMapProjector*>& projectors) {
+    const gl::DebugGroup group(context.gl, "aolib: project and blend");
+    const auto shader = bindShade(context, frame, host, kept, projectors);
+    if (!shader) {
+        return shader.status();
+    }
+    (*shader)->set("uOrigin", frame.origin);
+    (*shader)->set("uContrast", context.options.contrast);
+    (*shader)->set("uKnownAlone", 0);
     beginHostColours(context, frame);
     blendIntoHost(context);
     endHostColours(context);
     return {};
+}
+
+Result<const gl::RenderToTexture2D*>
+Projection::tell(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,
+                 const KeptTexels& kept, const std::vector<CubeMapProjector*>& projectors) {
+    const gl::DebugGroup group(context.gl, "aolib: project");
+    if (Status status = told_.become(context.gl, {.width = frame.size.x,
+                                                  .height = frame.size.y,
+                                                  .targets = {gl::RenderToTexture2D::Format::R32F},
+                                                  .depth = gl::RenderToTexture2D::Depth::Depth16,
+                                                  .label = "aolib/frame/told"});
+        !status) {
+        return status;
+    }
+    const auto shader = bindShade(context, frame, host, kept, projectors);
+    if (!shader) {
+        return shader.status();
+    }
+    const gl::Functions& gl = context.gl;
+    constexpr float kUnknown[]{-1.0F, 0.0F, 0.0F, 0.0F};
+    constexpr float kFar = 1.0F;
+    (*shader)->set("uOrigin", glm::ivec2(0));
+    (*shader)->set("uContrast", 1.0F);
+    (*shader)->set("uKnownAlone", 1);
+    told_.begin(0);
+    gl.ClearBufferfv(GL_COLOR, 0, kUnknown);
+    gl.ClearBufferfv(GL_DEPTH, 0, &kFar);
+    gl.Enable(GL_DEPTH_TEST);
+    gl.DepthFunc(GL_ALWAYS);
+    context.generated.drawFullscreen();
+    gl.DepthFunc(GL_LESS);
+    gl.Disable(GL_DEPTH_TEST);
+    return &told_;
 }
 
 Status Projection::prepare(const BackboneContext& context, const glm::ivec2& size,
@@ -200,7 +244,7 @@ Projection::apply(const BackboneContext& context, const Frame& frame, const Host
 }
 
 std::size_t Projection::bytes() const {
-    std::size_t sum = upsampled_ ? upsampled_.bytes() : 0;
+    std::size_t sum = (upsampled_ ? upsampled_.bytes() : 0) + (told_ ? told_.bytes() : 0);
     for (const gl::RenderToTexture2D& target : best_) {
         sum += target ? target.bytes() : 0;
     }

@@ -33,6 +33,15 @@ public:
     Status shade(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,
                  const KeptTexels& kept, const std::vector<CubeMapProjector*>& projectors);
 
+    /// W into a target instead, with a depth that fullscreen passes fail by GL_LESS; -1, and no
+    /// such depth, for background and where no cube map knows the surface. Errors: OutOfMemory.
+    Result<const gl::RenderToTexture2D*> tell(const BackboneContext& context, const Frame& frame,
+                                              const HostFramebuffer& host, const KeptTexels& kept,
+                                              const std::vector<CubeMapProjector*>& projectors);
+
+    /// Gives that target back.
+    void dropTold() { told_ = {}; }
+
     /// The same into a target whose texture 0 holds, per pixel, the weighted sum of W, log2 of
     /// quality, the face's code and the weight; in one pass, or to and fro between two targets.
     /// Errors: OutOfMemory.
@@ -49,6 +58,11 @@ private:
                                                  const HostFramebuffer& host,
                                                  const KeptTexels& kept,
                                                  const std::vector<CubeMapProjector*>& projectors);
+    /// Binds the shader that gives the host's picture its factors, after what it needs.
+    /// Errors: OutOfMemory.
+    Result<gl::GLSLShader*> bindShade(const BackboneContext& context, const Frame& frame,
+                                      const HostFramebuffer& host, const KeptTexels& kept,
+                                      const std::vector<CubeMapProjector*>& projectors);
     static void bindHalf(gl::GLSLShader& shader, const Frame& frame, const HostFramebuffer& host,
                          const KeptTexels& kept, const gl::RenderToTexture2D& half);
 
@@ -61,6 +75,7 @@ private:
     std::array<gl::GLSLShader, 2> shadeHalf_; ///< without and with repaired pixels
     std::array<gl::GLSLShader, 2> upsample_;
     std::array<gl::RenderToTexture2D, 2> best_;
+    gl::RenderToTexture2D told_;      ///< tell()'s
     gl::RenderToTexture2D upsampled_; ///< of frames with buffers at half resolution
 };
 

@@ -28,6 +28,7 @@ protected:
         o.radius = 1.0F;
         o.horizonSplit = {.directions = 4, .steps = 4};
         o.cubeMaps.faceSize = kFaceSize;
+        o.cubeMaps.fallback = false; // what cube maps know alone
         o.cubeMaps.memoryBudget = budgetFor(cubeMaps);
         return o;
     }

@@ -18,8 +18,10 @@ protected:
     using Picture = std::vector<float>;
     static constexpr int kMostFrames = 4000;
 
+    /// What cube maps know alone.
     static Options options(Estimator estimator) {
         Options o;
+        o.cubeMaps.fallback = false;
         o.estimator = estimator;
         o.radius = 1.5F;
         o.frameBudget = 20.0F;

@@ -1,0 +1,87 @@
+#include "backbone/cubemapped/Fallback.h"
+
+#include <utility>
+
+#include "backbone/Composite.h"
+#include "backbone/ShaderLibrary.h"
+#include "gl/Label.h"
+
+namespace aolib {
+
+namespace {
+
+constexpr int kDepthUnit = 0;
+constexpr int kToldUnit = 1;
+constexpr int kSides = 8; ///< half slices
+constexpr int kSteps = 8; ///< of each
+/// Assumed depth of what is in sight, in radii, where no option says another (docs/accuracy.md has
+/// the errors of others).
+constexpr float kThicknessShare = 0.5F;
+
+} // namespace
+
+Result<Fallback> Fallback::create(const BackboneContext& context) {
+    auto visibility = buildShader(context.gl, "fullscreen.vert", "cubemap/fallback.frag");
+    if (!visibility) {
+        return visibility.status();
+    }
+    auto blend = buildShader(context.gl, "fullscreen.vert", "frame/composite.frag");
+    if (!blend) {
+        return blend.status();
+    }
+    Fallback fallback;
+    fallback.visibility_ = std::move(*visibility);
+    fallback.blend_ = std::move(*blend);
+    return fallback;
+}
+
+void Fallback::bind(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,
+                    float radius) {
+    visibility_.bind();
+    host.bindDepth(kDepthUnit);
+    visibility_.set("uDepth", kDepthUnit);
+    frame.camera.setUniforms(visibility_, frame.size, frame.clip);
+    const float thickness = context.options.layeredIntervals.thickness;
+    visibility_.set("uThickness", thickness > 0.0F ? thickness : kThicknessShare * radius);
+    visibility_.set("uRadius", radius);
+    visibility_.set("uFalloff", static_cast<int>(context.options.falloff));
+    visibility_.set("uSides", kSides);
+    visibility_.set("uSteps", kSteps);
+}
+
+void Fallback::shade(const BackboneContext& context, const Frame& frame,
+                     const HostFramebuffer& host, const gl::RenderToTexture2D& told, float radius) {
+    const gl::Functions& gl = context.gl;
+    const gl::DebugGroup group(gl, "aolib: shade what no cube map knows, and blend");
+    bind(context, frame, host, radius);
+    visibility_.set("uTold", kDepthUnit); // not read
+    visibility_.set("uByTold", 0);
+    told.begin(0);
+    gl.Enable(GL_DEPTH_TEST); // known pixels fail it: a software rasteriser, too, spares them all
+    context.generated.drawFullscreen();
+    gl.Disable(GL_DEPTH_TEST);
+    blend_.bind();
+    told.bindTexture(0, kToldUnit);
+    blend_.set("uVisibility", kToldUnit);
+    blend_.set("uOrigin", frame.origin);
+    blend_.set("uContrast", context.options.contrast);
+    beginHostColours(context, frame);
+    blendIntoHost(context);
+    endHostColours(context);
+}
+
+void Fallback::fill(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,
+                    const gl::RenderToTexture2D& projected, float radius,
+                    const gl::RenderToTexture2D& visibility) {
+    const gl::DebugGroup group(context.gl, "aolib: shade what no cube map knows");
+    bind(context, frame, host, radius);
+    projected.bindTexture(0, kToldUnit);
+    visibility_.set("uTold", kToldUnit);
+    visibility_.set("uByTold", 1);
+    visibility.begin(0);
+    context.gl.ColorMask(GL_TRUE, GL_FALSE, GL_FALSE, GL_FALSE);
+    context.generated.drawFullscreen();
+    context.gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+} // namespace aolib

@@ -82,8 +82,8 @@ struct CubeMapOptions {
     /// MiB that cube maps may keep on the GPU, room for one at least; 0 = no limit. Those placed by
     /// coverage give way to newer ones, the least useful to recent views first.
     float memoryBudget = 512.0F;
-    /// Shade what no cube map knows yet, or ever, by what is in sight, as screen space does, once
-    /// half of the view is known; else it stays unshaded, W = 1.
+    /// Shade what no cube map knows yet, or ever, by what is in sight, as screen space does (on a
+    /// software rasteriser once half of the view is known); else it stays unshaded, W = 1.
     bool fallback = true;
     /// While the view rests, also compute its pixels by themselves, where texels are too coarse:
     /// those in doubt are traced where there is a tracer and no mesh has normals of its own; else

@@ -19,9 +19,9 @@ namespace {
 /// may draw what it has not described), and of one that moves.
 constexpr std::uint64_t kSurveyEveryAtRest = 8;
 constexpr std::uint64_t kSurveyEveryMoving = 3;
-/// Share of the surfaces that cube maps shade below which the rest stays white: their first texels
-/// are under way, and what is in sight costs by the pixel.
-constexpr float kLeastToFallBack = 0.5F;
+/// Share of the surfaces that cube maps shade below which a software rasteriser leaves the rest
+/// white within a budget: what is in sight costs by the pixel.
+constexpr float kLeastInSoftware = 0.5F;
 
 template <typename Part>
 Status make(std::optional<Part>& part, const BackboneContext& context) {
@@ -321,17 +321,18 @@ bool BackboneCubemapped::noisy() const {
 }
 
 bool BackboneCubemapped::fallsBack() const {
-    const float shaded = shownSurvey_.shaded; // -1 before the first
-    return context_.options.cubeMaps.fallback && !projected_.empty() && shaded < 1.0F &&
-           (schedule_.atOnce() || shaded >= kLeastToFallBack);
+    if (!context_.options.cubeMaps.fallback || context_.scene.empty()) {
+        return false;
+    }
+    const float shaded = projected_.empty() ? 0.0F : shownSurvey_.shaded; // -1 before the first
+    const bool dear = context_.gl.capabilities.software && shaded < kLeastInSoftware;
+    return shaded < 1.0F && (!dear || (schedule_.atOnce() && !projected_.empty()));
 }
 
 Status BackboneCubemapped::shadeDirectly(const Frame& frame) {
-    if (projected_.empty()) {
-        return {};
-    }
     if (!fallsBack()) {
-        return projection_->shade(context_, frame, host_, kept(), projected_);
+        return projected_.empty() ? Status()
+                                  : projection_->shade(context_, frame, host_, kept(), projected_);
     }
     const auto told = projection_->tell(context_, frame, host_, kept(), projected_);
     if (told) {

@@ -1,5 +1,6 @@
 // What no cube map knows is shaded by what is in sight.
 #include "ProgressiveTest.h"
+#include "WatchedLoader.h"
 
 namespace aolib {
 namespace {
@@ -120,7 +121,7 @@ TEST_P(FallbackGLTest, GivesItsBufferBackOnceAllIsKnown) {
     EXPECT_EQ(filled - host.ao().statistics().bytesFrame, 160U * 90U * (4U + 2U));
 }
 
-TEST_P(FallbackGLTest, WaitsUntilHalfOfAllIsKnown) {
+TEST_P(FallbackGLTest, WaitsUntilHalfOfAllIsKnownOnASoftwareRasteriser) {
     Options o = options();
     o.frameBudget = 1e-6F;
     SmallHost host = hostWith(o, walls());
@@ -140,6 +141,34 @@ TEST_P(FallbackGLTest, WaitsUntilHalfOfAllIsKnown) {
     }
     EXPECT_TRUE(white);
     EXPECT_TRUE(filled);
+}
+
+TEST_P(FallbackGLTest, ShadesFromTheFirstFrameOnWhereThereIsAGraphicsCard) {
+    Options o = options();
+    o.frameBudget = 1e-6F;
+    const WatchedLoader watched(loader, "a graphics card");
+    SmallHost host = hostWith(o, walls(), watched.loader());
+    host.lookAt(kEye, {0, 0.3F, -0.6F});
+    ASSERT_TRUE(host.frame().ok()); // no cube map stands yet
+    for (const glm::vec3& place : kHidden) {
+        EXPECT_LT(host.visibilityAt(place), 0.9F);
+    }
+    const Picture none = host.visibility().visibility;
+    ASSERT_TRUE(host.ao().addCubeMap({0, 1, 5}).ok());
+    for (int i = 0; i < 20; ++i) {
+        ASSERT_TRUE(host.frame().ok());
+        for (const glm::vec3& place : kHidden) {
+            EXPECT_LT(host.visibilityAt(place), 0.9F) << "frame " << i;
+        }
+    }
+    o.cubeMaps.fallback = false;
+    ASSERT_TRUE(host.ao().clear().ok());
+    ASSERT_TRUE(host.ao().setOptions(o).ok());
+    ASSERT_TRUE(host.frame().ok());
+    const Picture white = host.visibility().visibility;
+    EXPECT_GT(rmse(none, white), 0.05);
+    EXPECT_EQ(*std::max_element(white.begin(), white.end()), 1.0F);
+    EXPECT_TRUE(std::ranges::all_of(white, [](float w) { return w == -1.0F || w == 1.0F; }));
 }
 
 AOLIB_FOR_ALL_CONTEXTS(FallbackGLTest);

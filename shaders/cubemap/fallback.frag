@@ -1,8 +1,9 @@
 #version 330 core
+#extension GL_ARB_derivative_control : enable
 // Shades the pixels whose surface no cube map knows by what is in sight about them, a height field as
 // thick as a constant. Half slices about the direction towards the viewer step over the picture; what
-// they meet blocks sectors of the half slice. Bands of so few half slices are faint; turned from pixel
-// to pixel they would be noise.
+// they meet blocks sectors of the half slice. The four pixels of a quad take others each and share what
+// they find (McGuire, Mara and Luebke 2012, "Scalable Ambient Obscurance"): as smooth as four times as many.
 #include "frame/host_surface.glsl"
 #include "shared/falloff.h"
 #include "shared/sector_mask.h"
@@ -21,6 +22,8 @@ layout(location = 0) out float outVisibility;
 const float kPi = 3.14159265358979;
 // The pixel's surface is lifted by this many footprints, and by what its depth may be wrong.
 const float kLift = 0.1;
+// Pixels of a quad share a surface that are this many footprints from each other's planes, at most.
+const float kSameSurface = 0.5;
 // Towards a tangent by so many pixels, to see where that leads in the picture.
 const float kAhead = 8.0;
 
@@ -51,7 +54,9 @@ float angleOf(Side side, vec3 to) {
 }
 
 // Share of the side that is blocked by what the picture shows up to so many pixels away.
-float blockedAlong(HostSurface surface, Side side, vec2 from, vec2 direction, float pixels) {
+// @param first  of the steps, as a share of one
+float blockedAlong(HostSurface surface, Side side, vec2 from, vec2 direction, float pixels,
+                   float first) {
     uvec2 mask = uvec2(0u);
     float blocked = 0.0;
     float before = side.gamma + 0.5 * kPi;
@@ -59,7 +64,7 @@ float blockedAlong(HostSurface surface, Side side, vec2 from, vec2 direction, fl
     int step = 0;
     float reached = 0.0;
     do { // asks at its end, as in estimators/layered_intervals.glsl
-        float share = float(++step) / float(uSteps);
+        float share = (float(step++) + first) / float(uSteps);
         reached = max(pixels * share * share, float(step));
         ivec2 at = ivec2(floor(from + reached * direction));
         float d = rawDepth(at);
@@ -82,7 +87,9 @@ float blockedAlong(HostSurface surface, Side side, vec2 from, vec2 direction, fl
     return blocked;
 }
 
-float visibilityInSight(HostSurface surface, vec2 from) {
+// @param asked  else nothing but the least of work: a software rasteriser runs it for pixels that need none
+// @param turn   of the half slices, as a share of the angle between two
+float visibilityInSight(HostSurface surface, vec2 from, bool asked, float turn, float first) {
     vec3 viewer = towardsViewer(surface.eye);
     vec3 right = normalize(vec3(viewer.z, 0.0, -viewer.x));
     vec3 up = cross(viewer, right);
@@ -91,7 +98,7 @@ float visibilityInSight(HostSurface surface, vec2 from) {
     vec2 sum = vec2(0.0);
     int i = 0;
     do {
-        float phi = 2.0 * kPi * (float(i) + 0.5) / float(uSides);
+        float phi = 2.0 * kPi * (float(i) + turn) / float(uSides);
         vec3 tangent = cos(phi) * right + sin(phi) * up;
         vec3 across = cross(viewer, tangent);
         vec3 projected = surface.normal - dot(surface.normal, across) * across;
@@ -99,20 +106,54 @@ float visibilityInSight(HostSurface surface, vec2 from) {
         Side side = Side(viewer, tangent, gamma, sliceIntegral(gamma + 0.5 * kPi, gamma));
         float weight = length(projected) * side.span;
         vec2 direction = normalize(windowPosition(surface.eye + kAhead * footprint * tangent) - from);
-        float pixels = min(uRadius / footprint, toBorder(from, direction));
+        float pixels = asked ? min(uRadius / footprint, toBorder(from, direction)) : 0.0;
         if (weight > 1.0e-5) {
-            sum += weight * vec2(blockedAlong(surface, side, from, direction, pixels), 1.0);
+            float blocked = blockedAlong(surface, side, from, direction, pixels, first);
+            sum += weight * vec2(blocked, 1.0);
         }
-    } while (++i < uSides);
+    } while (asked && ++i < uSides);
     return sum.y > 0.0 ? clamp(1.0 - sum.x / sum.y, 0.0, 1.0) : 1.0;
+}
+
+#ifdef GL_ARB_derivative_control
+#define ACROSS dFdxFine
+#define UP dFdyFine
+#else
+#define ACROSS dFdx
+#define UP dFdy
+#endif
+
+bool anyOfQuad(bool value) {
+    float any = value ? 1.0 : 0.0;
+    any += abs(ACROSS(any));
+    return any + abs(UP(any)) > 0.0;
+}
+
+// The mean with a neighbour in the quad, at `side` half a pixel from the middle of the two, where both
+// show one surface.
+float meanWith(float visibility, float change, vec3 toOther, float missingChange, HostSurface surface,
+               float side) {
+    bool same = missingChange == 0.0 &&
+                abs(dot(toOther, surface.normal)) <= kSameSurface * pixelFootprint(surface.t);
+    return same ? visibility - side * change : visibility;
 }
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    if ((uByTold && texelFetch(uTold, pixel, 0).a > 0.0) || rawDepth(pixel) == uDepthFar) {
-        discard;
-    }
     HostSurface surface;
-    hostSurface(pixel, surface);
-    outVisibility = visibilityInSight(surface, vec2(pixel) + 0.5);
+    bool drawn = hostSurface(pixel, surface);
+    bool wanted = drawn && !(uByTold && texelFetch(uTold, pixel, 0).a > 0.0);
+    bool asked = drawn && anyOfQuad(wanted);
+    ivec2 odd = pixel & 1;
+    float w = visibilityInSight(surface, vec2(pixel) + 0.5, asked,
+                                0.25 * float(odd.x + 2 * odd.y) + 0.125,
+                                1.0 - 0.25 * float((odd.x ^ odd.y) + 2 * odd.x));
+    float missing = asked ? 0.0 : 1.0;
+    vec2 side = vec2(odd) - 0.5;
+    w = meanWith(w, ACROSS(w), ACROSS(surface.eye), ACROSS(missing), surface, side.x);
+    w = meanWith(w, UP(w), UP(surface.eye), UP(missing), surface, side.y);
+    if (!wanted) {
+        discard; // not before: derivatives need whole quads
+    }
+    outVisibility = clamp(w, 0.0, 1.0);
 }

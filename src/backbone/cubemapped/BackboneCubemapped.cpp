@@ -19,9 +19,6 @@ namespace {
 /// may draw what it has not described), and of one that moves.
 constexpr std::uint64_t kSurveyEveryAtRest = 8;
 constexpr std::uint64_t kSurveyEveryMoving = 3;
-/// Share of the surfaces that cube maps shade below which a software rasteriser leaves the rest
-/// white within a budget: what is in sight costs by the pixel.
-constexpr float kLeastInSoftware = 0.5F;
 
 template <typename Part>
 Status make(std::optional<Part>& part, const BackboneContext& context) {
@@ -321,12 +318,8 @@ bool BackboneCubemapped::noisy() const {
 }
 
 bool BackboneCubemapped::fallsBack() const {
-    if (!context_.options.cubeMaps.fallback || context_.scene.empty()) {
-        return false;
-    }
-    const float shaded = projected_.empty() ? 0.0F : shownSurvey_.shaded; // -1 before the first
-    const bool dear = context_.gl.capabilities.software && shaded < kLeastInSoftware;
-    return shaded < 1.0F && (!dear || (schedule_.atOnce() && !projected_.empty()));
+    const bool any = !projected_.empty();
+    return Fallback::due(context_, any ? shownSurvey_.shaded : 0.0F, any && schedule_.atOnce());
 }
 
 Status BackboneCubemapped::shadeDirectly(const Frame& frame) {

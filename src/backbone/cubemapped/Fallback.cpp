@@ -18,7 +18,17 @@ constexpr int kSteps = 8; ///< of each
 /// the errors of others).
 constexpr float kThicknessShare = 0.5F;
 
+/// Share of the surfaces that cube maps shade below which it is too dear for a software rasteriser
+/// within a budget.
+constexpr float kLeastInSoftware = 0.5F;
+
 } // namespace
+
+bool Fallback::due(const BackboneContext& context, float shaded, bool atOnce) {
+    const bool dear = context.gl.capabilities.software && shaded < kLeastInSoftware;
+    return context.options.cubeMaps.fallback && !context.scene.empty() && shaded < 1.0F &&
+           (!dear || atOnce);
+}
 
 Result<Fallback> Fallback::create(const BackboneContext& context) {
     auto visibility = buildShader(context.gl, "fullscreen.vert", "cubemap/fallback.frag");

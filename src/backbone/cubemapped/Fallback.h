@@ -12,6 +12,11 @@ public:
     /// Errors: ShaderError.
     static Result<Fallback> create(const BackboneContext& context);
 
+    /// Whether there is something for it to shade, and it is worth its cost.
+    /// @param shaded  share of the surfaces that cube maps shade; -1 before anyone has looked
+    /// @param atOnce  cube maps are computed at once, however long that takes
+    static bool due(const BackboneContext& context, float shaded, bool atOnce);
+
     /// Darkens the host's picture by what the cube maps tell, and by what is in sight where that is
     /// nothing.
     /// @param told    as Projection::tell() gives it; filled in

@@ -24,14 +24,6 @@ protected:
         o.cubeMaps.fallback = false;
         return o;
     }
-    /// Two walls behind each other, higher than a cube map stands before them.
-    static Model walls() {
-        Model model;
-        addQuad(model, {-8, 0, 8}, {8, 0, 8}, {8, 0, -8}, {-8, 0, -8});
-        addBox(model, {-2, 0, 1}, {2, 1.5F, 1.2F});
-        addBox(model, {-2, 0, -1}, {2, 1.5F, -0.8F});
-        return model;
-    }
     /// Seen from behind, and drawn until a survey has looked.
     SmallHost hostOf(const Options& o, const glm::vec3& cubeMap = {0, 1, 5}) {
         SmallHost host = hostWith(o, walls());

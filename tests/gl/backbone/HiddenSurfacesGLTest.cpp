@@ -15,14 +15,6 @@ protected:
         o.cubeMaps.repair = false;
         return o;
     }
-    /// Two walls behind each other, higher than the cube map stands before them.
-    static Model walls() {
-        Model model;
-        addQuad(model, {-8, 0, 8}, {8, 0, 8}, {8, 0, -8}, {-8, 0, -8});
-        addBox(model, {-2, 0, 1}, {2, 1.5F, 1.2F});
-        addBox(model, {-2, 0, -1}, {2, 1.5F, -0.8F});
-        return model;
-    }
     SmallHost hostOf(const Options& o, const Model& model, const glm::vec3& centre = kCentre) {
         SmallHost host = hostWith(o, model);
         host.lookAt({0.3F, 6, -1.4F}, {0, 0, -0.6F}); // from above: the tops and the floor between

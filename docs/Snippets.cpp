@@ -11,7 +11,7 @@ using aolib::TextureName;
 
 void drawFace(const aolib::FaceView& face); // by the host: view, projection; depth is enough
 
-void report(const aolib::Status& status) {
+void report(const aolib::AoStatus& status) {
     std::cerr << status.message() << '\n';
 }
 

@@ -22,7 +22,7 @@ private:
     bool& value_;
 };
 
-Status checkBox(const Bounds& box) {
+AoStatus checkBox(const Bounds& box) {
     if (!isFinite(box.min) || !isFinite(box.max) || box.empty()) {
         return {StatusCode::InvalidPosition,
                 "the corners of the box must be finite, and the first nowhere above the second"};
@@ -39,7 +39,7 @@ AmbientOcclusion::~AmbientOcclusion() = default;
 
 Result<AmbientOcclusion> AmbientOcclusion::create(const ProcAddressLoader& loader,
                                                   const Options& options) {
-    if (Status status = checkOptions(options); !status) {
+    if (AoStatus status = checkOptions(options); !status) {
         return status;
     }
     auto functions = gl::Functions::load(loader);
@@ -70,8 +70,8 @@ const Options& AmbientOcclusion::options() const {
     return impl_->options;
 }
 
-Status AmbientOcclusion::setOptions(const Options& options) {
-    Status status = impl_->allowed();
+AoStatus AmbientOcclusion::setOptions(const Options& options) {
+    AoStatus status = impl_->allowed();
     if (status) {
         status = checkOptions(options);
     }
@@ -107,22 +107,22 @@ void AmbientOcclusion::setTexelTracer(std::unique_ptr<AbstractTexelTracer> trace
 
 // ---- Scene definition ---------------------------------------------------------------------------
 
-Status AmbientOcclusion::meshBegin() {
+AoStatus AmbientOcclusion::meshBegin() {
     return impl_->report(impl_->builder.begin());
 }
-Status AmbientOcclusion::aoNormal3f(float x, float y, float z) {
+AoStatus AmbientOcclusion::aoNormal3f(float x, float y, float z) {
     return impl_->report(impl_->builder.normal({x, y, z}));
 }
-Status AmbientOcclusion::aoVertex3f(float x, float y, float z) {
+AoStatus AmbientOcclusion::aoVertex3f(float x, float y, float z) {
     return impl_->report(impl_->builder.vertex({x, y, z}));
 }
-Status AmbientOcclusion::aoBegin(AoPrimitive primitive) {
+AoStatus AmbientOcclusion::aoBegin(AoPrimitive primitive) {
     return impl_->report(impl_->builder.beginRun(primitive));
 }
-Status AmbientOcclusion::aoVertexIndex(std::uint32_t index) {
+AoStatus AmbientOcclusion::aoVertexIndex(std::uint32_t index) {
     return impl_->report(impl_->builder.index(index));
 }
-Status AmbientOcclusion::aoEnd() {
+AoStatus AmbientOcclusion::aoEnd() {
     return impl_->report(impl_->builder.endRun());
 }
 
@@ -142,7 +142,7 @@ Result<MeshId> AmbientOcclusion::addMesh(const MeshData& data) {
     return impl_->scene.add(std::move(*mesh));
 }
 
-Status AmbientOcclusion::replaceMesh(MeshId id, const MeshData& data) {
+AoStatus AmbientOcclusion::replaceMesh(MeshId id, const MeshData& data) {
     Result<Mesh> mesh = makeMesh(data);
     if (!mesh) {
         return impl_->report(mesh.status());
@@ -150,17 +150,17 @@ Status AmbientOcclusion::replaceMesh(MeshId id, const MeshData& data) {
     return impl_->report(impl_->scene.replace(id, std::move(*mesh)));
 }
 
-Status AmbientOcclusion::moveMesh(MeshId id, const glm::mat4& transform) {
+AoStatus AmbientOcclusion::moveMesh(MeshId id, const glm::mat4& transform) {
     return impl_->report(impl_->scene.move(id, transform));
 }
 
-Status AmbientOcclusion::removeMesh(MeshId id) {
+AoStatus AmbientOcclusion::removeMesh(MeshId id) {
     return impl_->report(impl_->scene.remove(id));
 }
 
-Status AmbientOcclusion::setSceneRenderer(SceneRenderer renderer, const glm::vec3& min,
-                                          const glm::vec3& max) {
-    if (Status status = impl_->allowed(); !status) {
+AoStatus AmbientOcclusion::setSceneRenderer(SceneRenderer renderer, const glm::vec3& min,
+                                            const glm::vec3& max) {
+    if (AoStatus status = impl_->allowed(); !status) {
         return impl_->report(std::move(status));
     }
     if (!renderer) {
@@ -170,7 +170,7 @@ Status AmbientOcclusion::setSceneRenderer(SceneRenderer renderer, const glm::vec
         return {};
     }
     const Bounds box{min, max};
-    if (Status status = checkBox(box); !status) {
+    if (AoStatus status = checkBox(box); !status) {
         return impl_->report(std::move(status));
     }
     impl_->renderer = [impl = impl_.get(), host = std::move(renderer)](const FaceView& view) {
@@ -182,9 +182,9 @@ Status AmbientOcclusion::setSceneRenderer(SceneRenderer renderer, const glm::vec
     return {};
 }
 
-Status AmbientOcclusion::aoSceneChanged(const glm::vec3& min, const glm::vec3& max) {
+AoStatus AmbientOcclusion::aoSceneChanged(const glm::vec3& min, const glm::vec3& max) {
     const Bounds box{min, max};
-    Status status = checkBox(box);
+    AoStatus status = checkBox(box);
     if (status && !impl_->scene.drawn()) {
         status = {StatusCode::NoScene, "aoSceneChanged: there is no scene renderer"};
     }
@@ -199,18 +199,18 @@ Status AmbientOcclusion::aoSceneChanged(const glm::vec3& min, const glm::vec3& m
 Result<CubeMapId> AmbientOcclusion::addCubeMap(const glm::vec3& position) {
     if (!isFinite(position)) {
         return impl_->report(
-            Status(StatusCode::InvalidPosition, "the position of a cube map must be finite"));
+            AoStatus(StatusCode::InvalidPosition, "the position of a cube map must be finite"));
     }
     return impl_->report(
         impl_->guarded([&](AbstractBackbone& to) { return to.addCubeMap(position); }));
 }
 
-Status AmbientOcclusion::removeCubeMap(CubeMapId id) {
+AoStatus AmbientOcclusion::removeCubeMap(CubeMapId id) {
     return impl_->report(
         impl_->guarded([&](AbstractBackbone& to) { return to.removeCubeMap(id); }));
 }
 
-Status AmbientOcclusion::clear() {
+AoStatus AmbientOcclusion::clear() {
     return impl_->report(impl_->guarded([&](AbstractBackbone& to) { return to.clear(); }));
 }
 
@@ -220,12 +220,12 @@ std::vector<CubeMapInfo> AmbientOcclusion::cubeMaps() const {
 
 // ---- Frame --------------------------------------------------------------------------------------
 
-Status AmbientOcclusion::aoSetCamera(const glm::mat4& view, const glm::mat4& projection) {
+AoStatus AmbientOcclusion::aoSetCamera(const glm::mat4& view, const glm::mat4& projection) {
     return impl_->report(impl_->view.setCamera(view, projection));
 }
 
-Status AmbientOcclusion::aoDrawBegin() {
-    if (Status status = impl_->allowed(); !status) {
+AoStatus AmbientOcclusion::aoDrawBegin() {
+    if (AoStatus status = impl_->allowed(); !status) {
         return impl_->report(std::move(status));
     }
     if (impl_->drawing) {
@@ -237,8 +237,8 @@ Status AmbientOcclusion::aoDrawBegin() {
     return {};
 }
 
-Status AmbientOcclusion::aoDrawEnd(float x, float y, float z) {
-    if (Status status = impl_->allowed(); !status) {
+AoStatus AmbientOcclusion::aoDrawEnd(float x, float y, float z) {
+    if (AoStatus status = impl_->allowed(); !status) {
         return impl_->report(std::move(status));
     }
     if (!impl_->drawing) {
@@ -249,13 +249,13 @@ Status AmbientOcclusion::aoDrawEnd(float x, float y, float z) {
     return impl_->report(impl_->drawEnd({x, y, z}));
 }
 
-Status AmbientOcclusion::Impl::drawEnd(const glm::vec3& position) {
+AoStatus AmbientOcclusion::Impl::drawEnd(const glm::vec3& position) {
     Result<Frame> frame = view.frameFrom(gl, position);
     if (!frame) {
         return frame.status();
     }
     const gl::StateGuard guard(gl);
-    if (Status status = HostView::takeTarget(guard, *frame); !status) {
+    if (AoStatus status = HostView::takeTarget(guard, *frame); !status) {
         return status;
     }
     followChoice();
@@ -264,7 +264,7 @@ Status AmbientOcclusion::Impl::drawEnd(const glm::vec3& position) {
 
 Result<TextureName> AmbientOcclusion::aoApply(const HostTextures& textures,
                                               const glm::vec3& position) {
-    if (Status status = impl_->allowed(); !status) {
+    if (AoStatus status = impl_->allowed(); !status) {
         return impl_->report(std::move(status));
     }
     Result<Frame> frame = impl_->view.frameFrom(impl_->gl, position);
@@ -296,7 +296,7 @@ Result<CubeMapImage> AmbientOcclusion::readCubeMap(CubeMapId id) {
     return impl_->report(impl_->guarded([&](AbstractBackbone& to) { return to.readCubeMap(id); }));
 }
 
-const Status& AmbientOcclusion::lastStatus() const {
+const AoStatus& AmbientOcclusion::lastStatus() const {
     return impl_->lastStatus;
 }
 void AmbientOcclusion::setMessageSink(MessageSink sink) {

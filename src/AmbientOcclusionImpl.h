@@ -26,12 +26,12 @@ struct AmbientOcclusion::Impl {
     std::unique_ptr<AbstractBackbone> backbone;
     HostView view;
     bool drawing = false;
-    Status lastStatus;
+    AoStatus lastStatus;
     MessageSink sink;
 
     BackboneContext context() { return {gl, generated, scene, inForce, tracer, renderer}; }
 
-    Status report(Status status) {
+    AoStatus report(AoStatus status) {
         if (!status) {
             lastStatus = status;
             if (sink) {
@@ -61,16 +61,16 @@ struct AmbientOcclusion::Impl {
     }
 
     /// Ok, but within the host's scene renderer.
-    Status allowed() const {
-        return rendering ? Status(StatusCode::InvalidCallOrder,
-                                  "not allowed within the scene renderer of the same instance")
-                         : Status();
+    AoStatus allowed() const {
+        return rendering ? AoStatus(StatusCode::InvalidCallOrder,
+                                    "not allowed within the scene renderer of the same instance")
+                         : AoStatus();
     }
     /// A call to the backbone on a clean slate. Reports come after it: a message sink is the host's
     /// code and finds the host's state.
     template <typename Call>
     auto guarded(Call call) -> decltype(call(*backbone)) {
-        if (Status status = allowed(); !status) {
+        if (AoStatus status = allowed(); !status) {
             return status;
         }
         const gl::StateGuard guard(gl);
@@ -78,7 +78,7 @@ struct AmbientOcclusion::Impl {
         return call(*backbone);
     }
 
-    Status drawEnd(const glm::vec3& position);
+    AoStatus drawEnd(const glm::vec3& position);
 };
 
 } // namespace aolib

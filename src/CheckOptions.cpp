@@ -14,7 +14,7 @@ namespace {
 
 /// Visits the options and keeps the first fault.
 struct Checker {
-    Status status;
+    AoStatus status;
 
     template <typename Number>
     void operator()(std::string_view name, const Number& value, OptionRange range,
@@ -23,7 +23,7 @@ struct Checker {
         if (status && !(number >= range.min && number <= range.max)) {
             std::ostringstream text;
             text << name << " is " << value << "; it must be " << range.min << " to " << range.max;
-            status = Status(StatusCode::InvalidOption, text.str());
+            status = AoStatus(StatusCode::InvalidOption, text.str());
         }
     }
 
@@ -35,15 +35,15 @@ struct Checker {
         const bool known = std::any_of(choices.begin(), choices.end(),
                                        [&](const auto& choice) { return choice.value == value; });
         if (status && !known) {
-            status = Status(StatusCode::InvalidOption,
-                            std::string(name) + " holds a value that names no choice");
+            status = AoStatus(StatusCode::InvalidOption,
+                              std::string(name) + " holds a value that names no choice");
         }
     }
 };
 
 } // namespace
 
-Status checkOptions(const Options& options) {
+AoStatus checkOptions(const Options& options) {
     Checker checker;
     visitOptions(options, checker);
     if (checker.status && options.blur.size % 2 == 0) {

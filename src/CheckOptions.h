@@ -7,6 +7,6 @@ namespace aolib {
 
 /// Ok if every option lies in its range. Errors: InvalidOption, naming the option, its value and
 /// its range.
-Status checkOptions(const Options& options);
+AoStatus checkOptions(const Options& options);
 
 } // namespace aolib

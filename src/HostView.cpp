@@ -33,7 +33,7 @@ HostView::Matrices HostView::readMatrices(const gl::Functions& gl) {
     return read;
 }
 
-Status HostView::setCamera(const glm::mat4& view, const glm::mat4& projection) {
+AoStatus HostView::setCamera(const glm::mat4& view, const glm::mat4& projection) {
     const Result<HostCamera> camera = HostCamera::create(view, projection);
     if (camera) {
         camera_ = *camera;
@@ -53,8 +53,8 @@ Result<HostCamera> HostView::cameraAt(const gl::Functions& gl, const glm::vec3& 
         return *camera_;
     }
     if (!gl.capabilities.compatibility) {
-        return Status(StatusCode::NoCamera,
-                      "a core profile has no matrices to read: call aoSetCamera first");
+        return AoStatus(StatusCode::NoCamera,
+                        "a core profile has no matrices to read: call aoSetCamera first");
     }
     // Whichever of the two moments had the camera, and no model transform, on the stack.
     const Matrices now = readMatrices(gl);
@@ -68,15 +68,15 @@ Result<HostCamera> HostView::cameraAt(const gl::Functions& gl, const glm::vec3& 
             return begun;
         }
     }
-    return Status(StatusCode::InvalidCamera,
-                  "GL's modelview matrix belonged to the position given to aoDrawEnd neither at "
-                  "aoDrawBegin nor now; leave the camera alone on the stack at one of them, or "
-                  "call aoSetCamera");
+    return AoStatus(StatusCode::InvalidCamera,
+                    "GL's modelview matrix belonged to the position given to aoDrawEnd neither at "
+                    "aoDrawBegin nor now; leave the camera alone on the stack at one of them, or "
+                    "call aoSetCamera");
 }
 
 Result<Frame> HostView::frameFrom(const gl::Functions& gl, const glm::vec3& position) const {
     if (!isFinite(position)) {
-        return Status(StatusCode::InvalidCamera, "the camera's position must be finite");
+        return AoStatus(StatusCode::InvalidCamera, "the camera's position must be finite");
     }
     const Result<HostCamera> found = cameraAt(gl, position);
     if (!found) {
@@ -92,13 +92,13 @@ Result<Frame> HostView::frameFrom(const gl::Functions& gl, const glm::vec3& posi
     }
     gl.GetDoublev(GL_DEPTH_RANGE, clip.depthRange.data());
     if (clip.depthRange[0] == clip.depthRange[1]) {
-        return Status(StatusCode::InvalidFramebuffer,
-                      "glDepthRange is empty: depth holds no distances");
+        return AoStatus(StatusCode::InvalidFramebuffer,
+                        "glDepthRange is empty: depth holds no distances");
     }
     return Frame{.camera = *found, .position = position, .clip = clip};
 }
 
-Status HostView::takeTarget(const gl::StateGuard& guard, Frame& frame) {
+AoStatus HostView::takeTarget(const gl::StateGuard& guard, Frame& frame) {
     const std::array<GLint, 4>& viewport = guard.hostViewport();
     if (viewport[2] < 1 || viewport[3] < 1) {
         return {StatusCode::InvalidFramebuffer, "the viewport is " + std::to_string(viewport[2]) +

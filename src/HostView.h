@@ -17,7 +17,7 @@ namespace aolib {
 class HostView {
 public:
     /// The camera of all frames from now on. Errors: InvalidCamera; then the one before stays.
-    Status setCamera(const glm::mat4& view, const glm::mat4& projection);
+    AoStatus setCamera(const glm::mat4& view, const glm::mat4& projection);
     /// A frame begins. Without a camera, notes GL's matrices in a compatibility context.
     void begin(const gl::Functions& gl);
 
@@ -25,7 +25,7 @@ public:
     /// Errors: NoCamera, InvalidCamera, InvalidFramebuffer (an empty depth range).
     Result<Frame> frameFrom(const gl::Functions& gl, const glm::vec3& position) const;
     /// What the host draws to, by what the guard has saved. Errors: InvalidFramebuffer (no pixels).
-    static Status takeTarget(const gl::StateGuard& guard, Frame& frame);
+    static AoStatus takeTarget(const gl::StateGuard& guard, Frame& frame);
 
 private:
     struct Matrices {

@@ -33,7 +33,7 @@ struct TexelRequest {
     int height = 0;                  ///< texels, at least 1; `width * height` at most 2^24
     int firstRay = 0;                ///< rays of each texel's sequence that were traced before
     int rays = 0;                    ///< rays per texel to trace now, at least 1
-    float radius = 0.0F;             ///< above 0; `Falloff::None` ignores it
+    float radius = 0.0F;             ///< above 0; `Falloff::Off` ignores it
     Falloff falloff = Falloff::Step; ///< weight of a hit by its distance
     /// Not empty: what is traced in place of a face's texels, `width * height` of them. Face and
     /// place then only choose their sequences of rays, and need not lie within a face.
@@ -90,7 +90,7 @@ public:
     /// The first failure since `setScene()`: IncompletePrimitive, InvalidIndex, InvalidPosition
     /// (the scene is rejected; or a request's centre, which is left out), InvalidOption (a request
     /// out of range is left out), NoScene, OutOfMemory.
-    virtual Status status() const = 0;
+    virtual AoStatus status() const = 0;
 };
 
 } // namespace aolib

@@ -22,13 +22,13 @@ namespace aolib {
 
 /// Ambient occlusion for an OpenGL renderer: describe the scene once, wrap each frame.
 ///
-/// Every call reports a Status and never throws, prints or aborts; a failed call leaves the scene,
-/// the cube maps and the host's GL state as they were. Calls that need OpenGL say "Context": they
-/// must run with the context current that was current at create(). One thread at a time.
+/// Every call reports an AoStatus and never throws, prints or aborts; a failed call leaves the
+/// scene, the cube maps and the host's GL state as they were. Calls that need OpenGL say "Context":
+/// they must run with the context current that was current at create(). One thread at a time.
 class AOLIB_EXPORT AmbientOcclusion {
 public:
     /// Called with each failure, after it was kept as lastStatus().
-    using MessageSink = std::function<void(const Status&)>;
+    using MessageSink = std::function<void(const AoStatus&)>;
 
     /// Makes an instance for the current context: OpenGL 3.3 or newer, core or compatibility.
     /// @param loader  gives the address of a GL function, as eglGetProcAddress does.
@@ -48,7 +48,7 @@ public:
     /// Takes effect at the next frame; what the change touches is rebuilt, the scene is kept.
     /// A new `backbone` exchanges the strategy. Errors, which change nothing: InvalidOption,
     /// ShaderError, OutOfMemory. Context, where the backbone changes. Since 0.1.
-    Status setOptions(const Options& options);
+    AoStatus setOptions(const Options& options);
 
     /// Gives the tracer that `Estimator::RayTraced` works with, or takes it away (empty). Cube maps
     /// that were traced by another are traced again. Since 0.1.
@@ -57,18 +57,18 @@ public:
     // ---- Scene definition, one vertex at a time (thesis 4.7.1) -----------------------------
 
     /// Starts a mesh. Errors: InvalidCallOrder inside another mesh.
-    Status meshBegin();
+    AoStatus meshBegin();
     /// Sets the normal of the vertices that follow. Before the first vertex or not at all.
     /// Errors: InvalidCallOrder, InvalidNormal.
-    Status aoNormal3f(float x, float y, float z);
+    AoStatus aoNormal3f(float x, float y, float z);
     /// Adds a vertex, world units. Errors: InvalidCallOrder, InvalidPosition.
-    Status aoVertex3f(float x, float y, float z);
+    AoStatus aoVertex3f(float x, float y, float z);
     /// Starts a run of indices. Errors: InvalidCallOrder, InvalidPrimitive.
-    Status aoBegin(AoPrimitive primitive);
+    AoStatus aoBegin(AoPrimitive primitive);
     /// Adds an index of a vertex given before. Errors: InvalidCallOrder, InvalidIndex.
-    Status aoVertexIndex(std::uint32_t index);
+    AoStatus aoVertexIndex(std::uint32_t index);
     /// Ends the run. Errors: InvalidCallOrder, IncompletePrimitive.
-    Status aoEnd();
+    AoStatus aoEnd();
     /// Ends the mesh and adds it to the scene. A mesh that met invalid data is dropped as a whole
     /// and that error is returned again. Errors: InvalidCallOrder, EmptyMesh, and the data's own.
     Result<MeshId> meshEnd();
@@ -79,11 +79,11 @@ public:
     /// EmptyMesh. Since 0.1.
     Result<MeshId> addMesh(const MeshData& mesh);
     /// Replaces a mesh's content and transform under the same id. Errors: as addMesh, UnknownMesh.
-    Status replaceMesh(MeshId id, const MeshData& mesh);
+    AoStatus replaceMesh(MeshId id, const MeshData& mesh);
     /// Gives a mesh another transform. Errors: UnknownMesh, InvalidPosition.
-    Status moveMesh(MeshId id, const glm::mat4& transform);
+    AoStatus moveMesh(MeshId id, const glm::mat4& transform);
     /// Takes a mesh out of the scene. Errors: UnknownMesh.
-    Status removeMesh(MeshId id);
+    AoStatus removeMesh(MeshId id);
 
     // ---- Scene definition by drawing -------------------------------------------------------
 
@@ -95,11 +95,11 @@ public:
     /// @param min,max   a box that holds all that is drawn, world units.
     /// Errors: InvalidPosition (not finite, or min above max), InvalidCallOrder in the callback.
     /// Since 0.1.
-    Status setSceneRenderer(SceneRenderer renderer, const glm::vec3& min, const glm::vec3& max);
+    AoStatus setSceneRenderer(SceneRenderer renderer, const glm::vec3& min, const glm::vec3& max);
     /// Says that what the renderer draws has changed within a box, before and after together: the
     /// cube maps that see it are computed again.
     /// Errors: InvalidPosition, NoScene without a renderer. Since 0.1.
-    Status aoSceneChanged(const glm::vec3& min, const glm::vec3& max);
+    AoStatus aoSceneChanged(const glm::vec3& min, const glm::vec3& max);
 
     // ---- Cube maps -------------------------------------------------------------------------
 
@@ -110,9 +110,9 @@ public:
     /// MissingCapability, OutOfMemory, CallbackFailed. Context. Thesis 4.2.1. Since 0.1.
     Result<CubeMapId> addCubeMap(const glm::vec3& position);
     /// Errors: UnknownCubeMap. Context.
-    Status removeCubeMap(CubeMapId id);
+    AoStatus removeCubeMap(CubeMapId id);
     /// Removes all cube maps; the scene stays. Context.
-    Status clear();
+    AoStatus clear();
     /// The cube maps that exist, oldest first.
     std::vector<CubeMapInfo> cubeMaps() const;
 
@@ -120,10 +120,10 @@ public:
 
     /// Gives the camera of the frames to come: world to eye, eye to clip, column-major, column
     /// vectors. Errors: InvalidCamera.
-    Status aoSetCamera(const glm::mat4& view, const glm::mat4& projection);
+    AoStatus aoSetCamera(const glm::mat4& view, const glm::mat4& projection);
     /// Starts a frame. The host then draws as ever, to its own framebuffer.
     /// Errors: InvalidCallOrder. Context.
-    Status aoDrawBegin();
+    AoStatus aoDrawBegin();
     /// Ends the frame: reads the depth that the host drew, and darkens its colours by the ambient
     /// occlusion of the scene. Framebuffer and viewport are those current at this call.
     /// @param x,y,z  world position of the camera.
@@ -131,7 +131,7 @@ public:
     /// those at aoDrawBegin() and aoDrawEnd() belongs to this position.
     /// Errors: InvalidCallOrder, NoCamera, InvalidCamera, InvalidFramebuffer, OutOfMemory,
     /// MissingCapability, CallbackFailed. Context.
-    Status aoDrawEnd(float x, float y, float z);
+    AoStatus aoDrawEnd(float x, float y, float z);
     /// A frame for hosts that render to textures of their own: instead of aoDrawBegin() and
     /// aoDrawEnd(), between them or not. Clip control and depth range that count are those current
     /// at this call; viewport and framebuffer do not.
@@ -154,7 +154,7 @@ public:
     Result<CubeMapImage> readCubeMap(CubeMapId id);
 
     /// The latest failure, or Ok if there was none. Successful calls do not reset it.
-    const Status& lastStatus() const;
+    const AoStatus& lastStatus() const;
     /// Receives every failure from now on; empty for none.
     void setMessageSink(MessageSink sink);
 

@@ -34,9 +34,9 @@ inline constexpr std::array kProjectionMethodChoices{
     OptionChoice<ProjectionMethod>{ProjectionMethod::PingPong, "ping-pong"}};
 inline constexpr std::array kFalloffChoices{OptionChoice<Falloff>{Falloff::Step, "step"},
                                             OptionChoice<Falloff>{Falloff::Exp, "exp"},
-                                            OptionChoice<Falloff>{Falloff::None, "none"}};
+                                            OptionChoice<Falloff>{Falloff::Off, "none"}};
 inline constexpr std::array kDebugViewChoices{
-    OptionChoice<DebugView>{DebugView::None, "none"},
+    OptionChoice<DebugView>{DebugView::Off, "none"},
     OptionChoice<DebugView>{DebugView::AmbientOcclusion, "ao"},
     OptionChoice<DebugView>{DebugView::Quality, "quality"},
     OptionChoice<DebugView>{DebugView::Faces, "faces"},

@@ -8,7 +8,7 @@ namespace aolib {
 enum class Falloff : std::uint8_t {
     Step, ///< w = 1 for L < radius, else 0
     Exp,  ///< w = e^(-L / radius), thesis eq. 3.3 with tau = 1 / radius
-    None, ///< w = 1 at every distance
+    Off,  ///< w = 1 at every distance
 };
 
 /// Which strategy computes the ambient occlusion.
@@ -33,9 +33,9 @@ enum class ProjectionMethod : std::uint8_t {
     PingPong,   ///< thesis 4.4: a pass per cube map, the best so far carried between two textures
 };
 
-/// What `aoDrawEnd()` shows in place of the host's picture. `None` is the normal composite.
+/// What `aoDrawEnd()` shows in place of the host's picture. `Off` is the normal composite.
 enum class DebugView : std::uint8_t {
-    None,
+    Off,
     AmbientOcclusion, ///< W in grey, background white
     Quality,          ///< quality factor of the chosen cube map: green good, red poor
     Faces,            ///< which cube face shades a pixel, one colour each, borders dark
@@ -117,7 +117,7 @@ struct Options {
     float frameBudget = 4.0F;
     CubeMapOptions cubeMaps{};
     BlurOptions blur{};
-    DebugView debugView = DebugView::None;
+    DebugView debugView = DebugView::Off;
 };
 
 } // namespace aolib

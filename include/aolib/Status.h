@@ -82,11 +82,12 @@ constexpr const char* statusName(StatusCode code) {
 }
 
 /// The outcome of a call: a code, and a sentence with the numbers when it is not Ok. A host may
-/// ignore it; `AmbientOcclusion::lastStatus()` keeps the latest failure. Since 0.1.
-class Status {
+/// ignore it; `AmbientOcclusion::lastStatus()` keeps the latest failure. Xlib.h defines the plain
+/// name as a macro. Since 0.1.
+class AoStatus {
 public:
-    Status() = default;
-    Status(StatusCode code, std::string message) : code_(code), message_(std::move(message)) {}
+    AoStatus() = default;
+    AoStatus(StatusCode code, std::string message) : code_(code), message_(std::move(message)) {}
 
     bool ok() const { return code_ == StatusCode::Ok; }
     explicit operator bool() const { return ok(); }
@@ -98,16 +99,21 @@ private:
     std::string message_;
 };
 
+#if !defined(Status)
+/// Former name of AoStatus, where Xlib.h was not included before.
+using Status [[deprecated("use AoStatus")]] = AoStatus;
+#endif
+
 /// A value, or the status that says why there is none. Since 0.1.
 template <typename T>
 class [[nodiscard]] Result {
 public:
     Result(T value) : content_(std::move(value)) {}
-    Result(Status failure) : content_(std::move(failure)) {}
+    Result(AoStatus failure) : content_(std::move(failure)) {}
 
     bool ok() const { return std::holds_alternative<T>(content_); }
     explicit operator bool() const { return ok(); }
-    Status status() const { return ok() ? Status() : std::get<Status>(content_); }
+    AoStatus status() const { return ok() ? AoStatus() : std::get<AoStatus>(content_); }
     T& value() { return std::get<T>(content_); }
     const T& value() const { return std::get<T>(content_); }
     T& operator*() { return value(); }
@@ -116,7 +122,7 @@ public:
     const T* operator->() const { return &value(); }
 
 private:
-    std::variant<T, Status> content_;
+    std::variant<T, AoStatus> content_;
 };
 
 } // namespace aolib

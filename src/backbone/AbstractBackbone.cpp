@@ -13,7 +13,7 @@ namespace {
 /// Change of the scene's size, as a factor, from which a derived radius follows.
 constexpr float kRadiusSlack = 1.25F;
 
-Status keepsNoCubeMaps() {
+AoStatus keepsNoCubeMaps() {
     return {
         StatusCode::InvalidCallOrder,
         "this backbone keeps no cube maps; set Options::backbone to Backbone::Cubemapped first"};
@@ -21,7 +21,7 @@ Status keepsNoCubeMaps() {
 
 } // namespace
 
-Status AbstractBackbone::initialise() {
+AoStatus AbstractBackbone::initialise() {
     auto geometry = GeometryBuffer::create(context_);
     if (!geometry) {
         return geometry.status();
@@ -45,18 +45,18 @@ Status AbstractBackbone::initialise() {
     return {};
 }
 
-Status AbstractBackbone::drawEnd(Frame& frame) {
+AoStatus AbstractBackbone::drawEnd(Frame& frame) {
     timer_.begin();
-    if (Status status = host_.acquire(context_.gl, frame); !status) {
+    if (AoStatus status = host_.acquire(context_.gl, frame); !status) {
         return status;
     }
     latest_ = frame;
     buffered_ = false;
-    if (Status status = prepare(frame); !status) {
+    if (AoStatus status = prepare(frame); !status) {
         return status;
     }
-    if (context_.options.debugView == DebugView::None && shadesDirectly()) {
-        if (Status status = shadeDirectly(frame); !status) {
+    if (context_.options.debugView == DebugView::Off && shadesDirectly()) {
+        if (AoStatus status = shadeDirectly(frame); !status) {
             return status;
         }
     } else {
@@ -66,14 +66,14 @@ Status AbstractBackbone::drawEnd(Frame& frame) {
         }
         composite_.apply(context_, frame, {geometry_, visibility_, **projected, radius()});
     }
-    const Status finished = finishFrame(frame);
+    const AoStatus finished = finishFrame(frame);
     timer_.end();
     ++frame_;
     return finished;
 }
 
 Result<TextureName> AbstractBackbone::apply(Frame& frame, const HostTextures& textures) {
-    Status status = applied_.attach(context_.gl, textures, frame);
+    AoStatus status = applied_.attach(context_.gl, textures, frame);
     if (status) {
         status = drawEnd(frame);
     }
@@ -85,10 +85,10 @@ Result<TextureName> AbstractBackbone::apply(Frame& frame, const HostTextures& te
 }
 
 Result<const gl::RenderToTexture2D*> AbstractBackbone::fillBuffers(const Frame& frame) {
-    if (Status status = geometry_.update(context_, frame, host_); !status) {
+    if (AoStatus status = geometry_.update(context_, frame, host_); !status) {
         return status;
     }
-    if (Status status =
+    if (AoStatus status =
             visibility_.become(context_.gl, {.width = frame.size.x,
                                              .height = frame.size.y,
                                              .targets = {gl::RenderToTexture2D::Format::RG32F},
@@ -99,8 +99,8 @@ Result<const gl::RenderToTexture2D*> AbstractBackbone::fillBuffers(const Frame& 
     const auto projected = computeVisibility(frame);
     if (projected) {
         const BlurOptions& blur = context_.options.blur;
-        if (Status status = blur_.apply(context_, frame, geometry_, **projected,
-                                        blur.enabled && noisy() ? blur.size : 1, visibility_);
+        if (AoStatus status = blur_.apply(context_, frame, geometry_, **projected,
+                                          blur.enabled && noisy() ? blur.size : 1, visibility_);
             !status) {
             return status;
         }
@@ -113,10 +113,10 @@ Result<const gl::RenderToTexture2D*> AbstractBackbone::fillBuffers(const Frame& 
 Result<CubeMapId> AbstractBackbone::addCubeMap(const glm::vec3& /*position*/) {
     return keepsNoCubeMaps();
 }
-Status AbstractBackbone::removeCubeMap(CubeMapId /*id*/) {
+AoStatus AbstractBackbone::removeCubeMap(CubeMapId /*id*/) {
     return keepsNoCubeMaps();
 }
-Status AbstractBackbone::clear() {
+AoStatus AbstractBackbone::clear() {
     return {};
 }
 Result<CubeMapImage> AbstractBackbone::readCubeMap(CubeMapId /*id*/) {
@@ -125,8 +125,8 @@ Result<CubeMapImage> AbstractBackbone::readCubeMap(CubeMapId /*id*/) {
 
 Result<VisibilityImage> AbstractBackbone::readVisibility() {
     if (!latest_) {
-        return Status(StatusCode::InvalidCallOrder,
-                      "there is no frame to read yet; end one with aoDrawEnd first");
+        return AoStatus(StatusCode::InvalidCallOrder,
+                        "there is no frame to read yet; end one with aoDrawEnd first");
     }
     if (!buffered_) {
         if (const auto filled = fillBuffers(*latest_); !filled) {

@@ -26,7 +26,7 @@ public:
     AbstractBackbone& operator=(const AbstractBackbone&) = delete;
 
     /// Darkens the host's picture. Errors: as AmbientOcclusion::aoDrawEnd().
-    Status drawEnd(Frame& frame);
+    AoStatus drawEnd(Frame& frame);
     /// The same for textures of the host's, which tell the frame's size and framebuffers.
     /// Errors: as AmbientOcclusion::aoApply().
     Result<TextureName> apply(Frame& frame, const HostTextures& textures);
@@ -40,8 +40,8 @@ public:
 
     /// Cube maps; a strategy that keeps none answers InvalidCallOrder.
     virtual Result<CubeMapId> addCubeMap(const glm::vec3& position);
-    virtual Status removeCubeMap(CubeMapId id);
-    virtual Status clear();
+    virtual AoStatus removeCubeMap(CubeMapId id);
+    virtual AoStatus clear();
     virtual std::vector<CubeMapInfo> cubeMaps() { return {}; }
     virtual Result<CubeMapImage> readCubeMap(CubeMapId id);
 
@@ -52,13 +52,13 @@ public:
 protected:
     explicit AbstractBackbone(const BackboneContext& context) : context_(context) {}
     /// Builds what all strategies share. Errors: ShaderError, OutOfMemory.
-    Status initialise();
+    AoStatus initialise();
 
     /// Before anything is drawn: what the frame needs is computed.
-    virtual Status prepare(const Frame& /*frame*/) { return {}; }
+    virtual AoStatus prepare(const Frame& /*frame*/) { return {}; }
     /// Whether shadeDirectly() can darken the picture in one pass; buffers are then not needed.
     virtual bool shadesDirectly() const { return false; }
-    virtual Status shadeDirectly(const Frame& /*frame*/) { return {}; }
+    virtual AoStatus shadeDirectly(const Frame& /*frame*/) { return {}; }
     /// Finds each pixel's value: texture 0 of the target holds its weighted sum, log2 of its
     /// quality (below kUnshaded nothing is known), the code of a cube's face, and the weight.
     virtual Result<const gl::RenderToTexture2D*> computeVisibility(const Frame& frame) = 0;
@@ -69,7 +69,7 @@ protected:
     /// Whether its values are noisy, so that they must be blurred.
     virtual bool noisy() const { return true; }
     /// After the composite: survey, gizmos.
-    virtual Status finishFrame(const Frame& /*frame*/) { return {}; }
+    virtual AoStatus finishFrame(const Frame& /*frame*/) { return {}; }
     virtual void addStatistics(Statistics& /*statistics*/) {}
 
     /// Radius in force, world units: the option's, or derived from the scene. A derived one is kept

@@ -13,7 +13,7 @@ GLuint nameOf(TextureName texture) {
     return static_cast<GLuint>(texture);
 }
 
-Status unusable(const char* role, TextureName texture, const std::string& why) {
+AoStatus unusable(const char* role, TextureName texture, const std::string& why) {
     return {StatusCode::InvalidFramebuffer, "aoApply: " + std::string(role) + " texture " +
                                                 std::to_string(nameOf(texture)) + " " + why};
 }
@@ -25,7 +25,8 @@ GLint attachmentValue(const gl::Functions& gl, GLenum attachment, GLenum name) {
 }
 
 /// Attaches level 0 to the framebuffer that is bound, whatever the texture's target.
-Status attachTo(const gl::Functions& gl, GLenum attachment, TextureName texture, const char* role) {
+AoStatus attachTo(const gl::Functions& gl, GLenum attachment, TextureName texture,
+                  const char* role) {
     if (gl.IsTexture(nameOf(texture)) == GL_FALSE) {
         return unusable(role, texture, "is none of this context");
     }
@@ -42,7 +43,7 @@ Status attachTo(const gl::Functions& gl, GLenum attachment, TextureName texture,
     return {};
 }
 
-Status complete(const gl::Functions& gl, TextureName texture, const char* role) {
+AoStatus complete(const gl::Functions& gl, TextureName texture, const char* role) {
     if (const GLenum state = gl.CheckFramebufferStatus(GL_FRAMEBUFFER);
         state != GL_FRAMEBUFFER_COMPLETE) {
         return unusable(role, texture,
@@ -53,7 +54,7 @@ Status complete(const gl::Functions& gl, TextureName texture, const char* role) 
     return {};
 }
 
-Status makeFramebuffer(const gl::Functions& gl, gl::Framebuffer& framebuffer, const char* label) {
+AoStatus makeFramebuffer(const gl::Functions& gl, gl::Framebuffer& framebuffer, const char* label) {
     if (!framebuffer) {
         framebuffer = gl::generate<gl::Framebuffer>(gl, &gl::Functions::GenFramebuffers);
         if (!framebuffer) {
@@ -71,13 +72,13 @@ TextureName AppliedTextures::factor() const {
     return factor_ ? TextureName{factor_.textureName(0)} : TextureName{};
 }
 
-Status AppliedTextures::attachDepth(const gl::Functions& gl, const HostTextures& textures) {
-    if (Status status = makeFramebuffer(gl, source_, "aolib/applied/depth"); !status) {
+AoStatus AppliedTextures::attachDepth(const gl::Functions& gl, const HostTextures& textures) {
+    if (AoStatus status = makeFramebuffer(gl, source_, "aolib/applied/depth"); !status) {
         return status;
     }
     gl.DrawBuffer(GL_NONE);
     gl.ReadBuffer(GL_NONE);
-    if (Status status = attachTo(gl, GL_DEPTH_ATTACHMENT, textures.depth, "depth"); !status) {
+    if (AoStatus status = attachTo(gl, GL_DEPTH_ATTACHMENT, textures.depth, "depth"); !status) {
         return status;
     }
     // Stencil of the same texture: samples are resolved together, or not at all.
@@ -87,12 +88,12 @@ Status AppliedTextures::attachDepth(const gl::Functions& gl, const HostTextures&
     return complete(gl, textures.depth, "depth");
 }
 
-Status AppliedTextures::attachNormal(const gl::Functions& gl, const HostTextures& textures) {
-    if (Status status = attachTo(gl, GL_COLOR_ATTACHMENT0, textures.normal, "normal"); !status) {
+AoStatus AppliedTextures::attachNormal(const gl::Functions& gl, const HostTextures& textures) {
+    if (AoStatus status = attachTo(gl, GL_COLOR_ATTACHMENT0, textures.normal, "normal"); !status) {
         return status;
     }
     gl.ReadBuffer(GL_COLOR_ATTACHMENT0);
-    if (Status status = complete(gl, textures.normal, "normal"); !status) {
+    if (AoStatus status = complete(gl, textures.normal, "normal"); !status) {
         return status;
     }
     const GLint type =
@@ -107,22 +108,22 @@ Status AppliedTextures::attachNormal(const gl::Functions& gl, const HostTextures
     return {};
 }
 
-Status AppliedTextures::attachColour(const gl::Functions& gl, const HostTextures& textures) {
-    if (Status status = makeFramebuffer(gl, target_, "aolib/applied/colour"); !status) {
+AoStatus AppliedTextures::attachColour(const gl::Functions& gl, const HostTextures& textures) {
+    if (AoStatus status = makeFramebuffer(gl, target_, "aolib/applied/colour"); !status) {
         return status;
     }
-    if (Status status = attachTo(gl, GL_COLOR_ATTACHMENT0, textures.colour, "colour"); !status) {
+    if (AoStatus status = attachTo(gl, GL_COLOR_ATTACHMENT0, textures.colour, "colour"); !status) {
         return status;
     }
     gl.DrawBuffer(GL_COLOR_ATTACHMENT0);
     return complete(gl, textures.colour, "colour");
 }
 
-Status AppliedTextures::clearFactor(const gl::Functions& gl, const glm::ivec2& size) {
-    if (Status status = factor_.become(gl, {.width = size.x,
-                                            .height = size.y,
-                                            .targets = {gl::RenderToTexture2D::Format::R8},
-                                            .label = "aolib/applied/factor"});
+AoStatus AppliedTextures::clearFactor(const gl::Functions& gl, const glm::ivec2& size) {
+    if (AoStatus status = factor_.become(gl, {.width = size.x,
+                                              .height = size.y,
+                                              .targets = {gl::RenderToTexture2D::Format::R8},
+                                              .label = "aolib/applied/factor"});
         !status) {
         return status;
     }
@@ -132,14 +133,14 @@ Status AppliedTextures::clearFactor(const gl::Functions& gl, const glm::ivec2& s
     return {};
 }
 
-Status AppliedTextures::attach(const gl::Functions& gl, const HostTextures& textures,
-                               Frame& frame) {
+AoStatus AppliedTextures::attach(const gl::Functions& gl, const HostTextures& textures,
+                                 Frame& frame) {
     if (std::min(textures.size.x, textures.size.y) < 1) {
         return {StatusCode::InvalidFramebuffer, "aoApply: the textures are said to be " +
                                                     std::to_string(textures.size.x) + " x " +
                                                     std::to_string(textures.size.y) + " pixels"};
     }
-    Status status = attachDepth(gl, textures);
+    AoStatus status = attachDepth(gl, textures);
     frame.hostNormals = textures.normal != TextureName{};
     if (status && frame.hostNormals) {
         status = attachNormal(gl, textures);

@@ -17,7 +17,7 @@ public:
     /// Attaches the textures and tells the frame of it. Without a colour texture a white one of its
     /// own takes the colours' place: multiplied by the frame it holds the factor alone.
     /// Errors: InvalidFramebuffer, OutOfMemory, MissingCapability.
-    Status attach(const gl::Functions& gl, const HostTextures& textures, Frame& frame);
+    AoStatus attach(const gl::Functions& gl, const HostTextures& textures, Frame& frame);
     /// Detaches the host's textures: none is kept alive.
     void release(const gl::Functions& gl);
 
@@ -26,10 +26,10 @@ public:
     std::size_t bytes() const { return factor_ ? factor_.bytes() : 0; }
 
 private:
-    Status attachDepth(const gl::Functions& gl, const HostTextures& textures);
-    Status attachNormal(const gl::Functions& gl, const HostTextures& textures);
-    Status attachColour(const gl::Functions& gl, const HostTextures& textures);
-    Status clearFactor(const gl::Functions& gl, const glm::ivec2& size);
+    AoStatus attachDepth(const gl::Functions& gl, const HostTextures& textures);
+    AoStatus attachNormal(const gl::Functions& gl, const HostTextures& textures);
+    AoStatus attachColour(const gl::Functions& gl, const HostTextures& textures);
+    AoStatus clearFactor(const gl::Functions& gl, const glm::ivec2& size);
 
     gl::Framebuffer source_; ///< depth, and normals as colour 0
     gl::Framebuffer target_; ///< the host's colours

@@ -22,14 +22,15 @@ Result<Blur> Blur::create(const BackboneContext& context) {
     return blur;
 }
 
-Status Blur::apply(const BackboneContext& context, const Frame& frame,
-                   const GeometryBuffer& geometry, const gl::RenderToTexture2D& projected, int size,
-                   const gl::RenderToTexture2D& target) {
+AoStatus Blur::apply(const BackboneContext& context, const Frame& frame,
+                     const GeometryBuffer& geometry, const gl::RenderToTexture2D& projected,
+                     int size, const gl::RenderToTexture2D& target) {
     const gl::DebugGroup group(context.gl, "aolib: blur");
-    if (Status status = sums_.become(context.gl, {.width = frame.size.x,
-                                                  .height = frame.size.y,
-                                                  .targets = {gl::RenderToTexture2D::Format::RG32F},
-                                                  .label = "aolib/frame/rows"});
+    if (AoStatus status =
+            sums_.become(context.gl, {.width = frame.size.x,
+                                      .height = frame.size.y,
+                                      .targets = {gl::RenderToTexture2D::Format::RG32F},
+                                      .label = "aolib/frame/rows"});
         !status) {
         return status;
     }

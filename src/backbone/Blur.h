@@ -17,9 +17,9 @@ public:
     /// @param projected  as AbstractBackbone::computeVisibility() gave it.
     /// @param size       pixels along the filter's edge; 1 copies.
     /// Errors: OutOfMemory.
-    Status apply(const BackboneContext& context, const Frame& frame, const GeometryBuffer& geometry,
-                 const gl::RenderToTexture2D& projected, int size,
-                 const gl::RenderToTexture2D& target);
+    AoStatus apply(const BackboneContext& context, const Frame& frame,
+                   const GeometryBuffer& geometry, const gl::RenderToTexture2D& projected, int size,
+                   const gl::RenderToTexture2D& target);
     std::size_t bytes() const { return sums_ ? sums_.bytes() : 0; }
 
 private:

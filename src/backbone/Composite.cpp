@@ -55,7 +55,7 @@ Result<Composite> Composite::create(const BackboneContext& context) {
 void Composite::apply(const BackboneContext& context, const Frame& frame, const Inputs& inputs) {
     const gl::DebugGroup group(context.gl, "aolib: composite");
     beginHostColours(context, frame);
-    if (context.options.debugView == DebugView::None) {
+    if (context.options.debugView == DebugView::Off) {
         blend(context, frame, inputs);
     } else {
         show(context, frame, inputs);

@@ -15,14 +15,14 @@ Result<GeometryBuffer> GeometryBuffer::create(const BackboneContext& context) {
     return buffer;
 }
 
-Status GeometryBuffer::update(const BackboneContext& context, const Frame& frame,
-                              const HostFramebuffer& host) {
+AoStatus GeometryBuffer::update(const BackboneContext& context, const Frame& frame,
+                                const HostFramebuffer& host) {
     using Format = gl::RenderToTexture2D::Format;
     const gl::DebugGroup group(context.gl, "aolib: geometry buffer");
-    if (Status status = target_.become(context.gl, {.width = frame.size.x,
-                                                    .height = frame.size.y,
-                                                    .targets = {Format::R32F, Format::RG16F},
-                                                    .label = "aolib/frame/geometry"});
+    if (AoStatus status = target_.become(context.gl, {.width = frame.size.x,
+                                                      .height = frame.size.y,
+                                                      .targets = {Format::R32F, Format::RG16F},
+                                                      .label = "aolib/frame/geometry"});
         !status) {
         return status;
     }

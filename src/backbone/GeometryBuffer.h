@@ -16,7 +16,8 @@ public:
     /// Errors: ShaderError, OutOfMemory.
     static Result<GeometryBuffer> create(const BackboneContext& context);
     /// Rebuilds it from the host's depth. Errors: OutOfMemory, MissingCapability, ShaderError.
-    Status update(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host);
+    AoStatus update(const BackboneContext& context, const Frame& frame,
+                    const HostFramebuffer& host);
     /// Binds both textures and sets the uniforms of shaders/frame/geometry.glsl.
     void bind(gl::GLSLShader& shader, const Frame& frame, int depthUnit, int normalUnit) const;
     std::size_t bytes() const { return target_ ? target_.bytes() : 0; }

@@ -48,20 +48,20 @@ bool isPerspectiveOrOrthographic(const glm::dmat4& p) {
 
 Result<HostCamera> HostCamera::create(const glm::mat4& view, const glm::mat4& projection) {
     if (!isFinite(view) || !isFinite(projection)) {
-        return Status(StatusCode::InvalidCamera, "the view or projection matrix is not finite");
+        return AoStatus(StatusCode::InvalidCamera, "the view or projection matrix is not finite");
     }
     const glm::dmat3 rotation{glm::dmat4(view)};
     if (!isRigid(rotation) || view[0][3] != 0.0F || view[1][3] != 0.0F || view[2][3] != 0.0F ||
         view[3][3] != 1.0F) {
-        return Status(StatusCode::InvalidCamera,
-                      "the view matrix is no rotation and translation; keep scale and projection "
-                      "out of it");
+        return AoStatus(StatusCode::InvalidCamera,
+                        "the view matrix is no rotation and translation; keep scale and projection "
+                        "out of it");
     }
     HostCamera camera;
     camera.projection_ = glm::dmat4(projection);
     if (!isPerspectiveOrOrthographic(camera.projection_)) {
-        return Status(StatusCode::InvalidCamera,
-                      "the projection matrix is neither perspective nor orthographic");
+        return AoStatus(StatusCode::InvalidCamera,
+                        "the projection matrix is neither perspective nor orthographic");
     }
     camera.eyeToWorld_ = glm::inverse(rotation);
     camera.eye_ = -(camera.eyeToWorld_ * glm::dvec3(view[3]));

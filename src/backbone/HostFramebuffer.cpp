@@ -59,7 +59,7 @@ Depth matching(const HostDepth& host) {
 
 } // namespace
 
-Status HostFramebuffer::acquire(const gl::Functions& gl, Frame& frame) {
+AoStatus HostFramebuffer::acquire(const gl::Functions& gl, Frame& frame) {
     gl.BindFramebuffer(GL_FRAMEBUFFER, frame.depthFramebuffer);
     if (const GLenum state = gl.CheckFramebufferStatus(GL_READ_FRAMEBUFFER);
         state != GL_FRAMEBUFFER_COMPLETE) {
@@ -74,20 +74,20 @@ Status HostFramebuffer::acquire(const gl::Functions& gl, Frame& frame) {
                                                     " has no depth buffer"};
     }
     frame.clip.depthQuantum = std::exp2(-std::min(24, host.bits));
-    if (Status status = copyDepth(gl, frame, matching(host)); !status) {
+    if (AoStatus status = copyDepth(gl, frame, matching(host)); !status) {
         return status;
     }
-    return frame.hostNormals ? copyNormals(gl, frame) : Status();
+    return frame.hostNormals ? copyNormals(gl, frame) : AoStatus();
 }
 
-Status HostFramebuffer::copyDepth(const gl::Functions& gl, const Frame& frame, Depth format) {
+AoStatus HostFramebuffer::copyDepth(const gl::Functions& gl, const Frame& frame, Depth format) {
     GLint samples = 0;
     gl.GetIntegerv(GL_SAMPLES, &samples);
-    if (Status status = depth_.become(gl, {.width = frame.size.x,
-                                           .height = frame.size.y,
-                                           .targets = {},
-                                           .depth = format,
-                                           .label = "aolib/frame/depth"});
+    if (AoStatus status = depth_.become(gl, {.width = frame.size.x,
+                                             .height = frame.size.y,
+                                             .targets = {},
+                                             .depth = format,
+                                             .label = "aolib/frame/depth"});
         !status) {
         return status;
     }
@@ -106,11 +106,11 @@ Status HostFramebuffer::copyDepth(const gl::Functions& gl, const Frame& frame, D
     return {};
 }
 
-Status HostFramebuffer::copyNormals(const gl::Functions& gl, const Frame& frame) {
-    if (Status status = normals_.become(gl, {.width = frame.size.x,
-                                             .height = frame.size.y,
-                                             .targets = {gl::RenderToTexture2D::Format::RGBA16F},
-                                             .label = "aolib/frame/normals"});
+AoStatus HostFramebuffer::copyNormals(const gl::Functions& gl, const Frame& frame) {
+    if (AoStatus status = normals_.become(gl, {.width = frame.size.x,
+                                               .height = frame.size.y,
+                                               .targets = {gl::RenderToTexture2D::Format::RGBA16F},
+                                               .label = "aolib/frame/normals"});
         !status) {
         return status;
     }

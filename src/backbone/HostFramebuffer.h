@@ -14,7 +14,7 @@ class HostFramebuffer {
 public:
     /// Copies the viewport's part of the depth buffer, resolving samples, and tells its precision.
     /// Errors: InvalidFramebuffer, OutOfMemory, MissingCapability.
-    Status acquire(const gl::Functions& gl, Frame& frame);
+    AoStatus acquire(const gl::Functions& gl, Frame& frame);
     void bindDepth(int unit) const { depth_.bindDepthTexture(unit); }
     void bindNormals(int unit) const { normals_.bindTexture(0, unit); }
     /// What the copied normals are multiplied by and what is added to get vectors.
@@ -24,9 +24,9 @@ public:
     }
 
 private:
-    Status copyDepth(const gl::Functions& gl, const Frame& frame,
-                     gl::RenderToTexture2D::Depth format);
-    Status copyNormals(const gl::Functions& gl, const Frame& frame);
+    AoStatus copyDepth(const gl::Functions& gl, const Frame& frame,
+                       gl::RenderToTexture2D::Depth format);
+    AoStatus copyNormals(const gl::Functions& gl, const Frame& frame);
 
     gl::RenderToTexture2D depth_;
     gl::RenderToTexture2D normals_;

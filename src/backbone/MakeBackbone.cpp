@@ -12,7 +12,7 @@ Result<std::unique_ptr<AbstractBackbone>> makeBackbone(const BackboneContext& co
     case Backbone::ScreenSpace:
         return BackboneScreenSpace::create(context);
     }
-    return Status(StatusCode::InvalidOption, "backbone: a value that names none");
+    return AoStatus(StatusCode::InvalidOption, "backbone: a value that names none");
 }
 
 } // namespace aolib

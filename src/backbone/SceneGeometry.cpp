@@ -41,8 +41,8 @@ void SceneGeometry::forget(const std::vector<Scene::Change>& changes) {
     }
 }
 
-Status SceneGeometry::update(const gl::Functions& gl, const Scene& scene,
-                             const std::vector<Scene::Change>& changes, bool solids) {
+AoStatus SceneGeometry::update(const gl::Functions& gl, const Scene& scene,
+                               const std::vector<Scene::Change>& changes, bool solids) {
     forget(changes);
     std::uint32_t firstSolid = 0;
     for (const auto& [id, mesh] : scene.meshes()) {

@@ -23,8 +23,8 @@ public:
 
     /// Uploads what is new or changed, drops what is gone.
     /// @param solids  whether the pieces must tell solids from sheets. Errors: OutOfMemory.
-    Status update(const gl::Functions& gl, const Scene& scene,
-                  const std::vector<Scene::Change>& changes, bool solids);
+    AoStatus update(const gl::Functions& gl, const Scene& scene,
+                    const std::vector<Scene::Change>& changes, bool solids);
     /// Drops what changed, without uploading anything.
     void forget(const std::vector<Scene::Change>& changes);
     const Piece& piece(MeshId id) const { return pieces_.at(id); }

@@ -22,9 +22,9 @@ Result<gl::GLSLShader> buildShader(const gl::Functions& gl, std::string_view ver
     const EmbeddedShader* vertexStage = find(vertex);
     const EmbeddedShader* fragmentStage = find(fragment);
     if (vertexStage == nullptr || fragmentStage == nullptr) {
-        return Status(StatusCode::ShaderError,
-                      std::string(vertexStage == nullptr ? vertex : fragment) +
-                          " was not embedded; name it in src/backbone/CMakeLists.txt");
+        return AoStatus(StatusCode::ShaderError,
+                        std::string(vertexStage == nullptr ? vertex : fragment) +
+                            " was not embedded; name it in src/backbone/CMakeLists.txt");
     }
     std::string text(fragmentStage->text);
     if (defines.size() > 0) { // behind the line of the version, whose number stays
@@ -37,10 +37,10 @@ Result<gl::GLSLShader> buildShader(const gl::Functions& gl, std::string_view ver
     Result<gl::GLSLShader> built = gl::GLSLShader::build(gl, {vertexStage->name, vertexStage->text},
                                                          {fragmentStage->name, text});
     if (!built && built.status().code() == StatusCode::ShaderError) {
-        return Status(StatusCode::ShaderError,
-                      built.status().message() + "\nfiles of " + std::string(vertex) +
-                          " in order: " + std::string(vertexStage->files) + "; of " +
-                          std::string(fragment) + ": " + std::string(fragmentStage->files));
+        return AoStatus(StatusCode::ShaderError,
+                        built.status().message() + "\nfiles of " + std::string(vertex) +
+                            " in order: " + std::string(vertexStage->files) + "; of " +
+                            std::string(fragment) + ": " + std::string(fragmentStage->files));
     }
     return built;
 }

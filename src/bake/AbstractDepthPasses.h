@@ -23,7 +23,7 @@ public:
     virtual ~AbstractDepthPasses() = default;
 
     /// Adds what up to `mapsPerPass` directions light. Errors: OutOfMemory.
-    virtual Status addDirections(std::span<const LightView> views, ReceiverSums& sums) = 0;
+    virtual AoStatus addDirections(std::span<const LightView> views, ReceiverSums& sums) = 0;
     /// As in the settings, after all.
     virtual int mapsPerPass() const = 0;
 };

@@ -124,10 +124,10 @@ Result<Atlas> makeAtlas(const std::vector<const Surface*>& surfaces, int width, 
     float high = longest > 0.0F ? static_cast<float>(std::max(width, height)) / longest : 1.0F;
     std::vector<glm::ivec2> places = packing.at(low);
     if (places.size() != charts.size()) {
-        return Status(StatusCode::InvalidOption,
-                      std::to_string(charts.size()) + " charts with gaps of " +
-                          std::to_string(gap) + " texels do not fit into a map of " +
-                          std::to_string(width) + " x " + std::to_string(height));
+        return AoStatus(StatusCode::InvalidOption,
+                        std::to_string(charts.size()) + " charts with gaps of " +
+                            std::to_string(gap) + " texels do not fit into a map of " +
+                            std::to_string(width) + " x " + std::to_string(height));
     }
     for (int step = 0; step < searchSteps; ++step) {
         const float middle = 0.5F * (low + high);
@@ -152,7 +152,7 @@ Result<Atlas> makeAtlas(const std::vector<const Surface*>& surfaces, int width, 
     atlas.usedShare = double{area} * double{low} * double{low} / (double(width) * double(height));
     return atlas;
 } catch (const std::bad_alloc&) {
-    return Status(StatusCode::OutOfMemory, "no memory left for an atlas");
+    return AoStatus(StatusCode::OutOfMemory, "no memory left for an atlas");
 }
 
 Surface withAtlas(const Surface& surface, const UnwrappedSurface& unwrapped) {

@@ -15,11 +15,11 @@ namespace {
 
 constexpr int mostMaps = 4096;
 
-Status fault(StatusCode code, std::size_t surface, const std::string& reason) {
+AoStatus fault(StatusCode code, std::size_t surface, const std::string& reason) {
     return {code, "surface " + std::to_string(surface) + ": " + reason};
 }
 
-Status check(const Surface& surface, std::size_t number) {
+AoStatus check(const Surface& surface, std::size_t number) {
     const std::size_t vertices = surface.positions.size();
     if (surface.indices.size() % 3 != 0) {
         return fault(StatusCode::IncompletePrimitive, number,
@@ -67,7 +67,7 @@ Result<BakeGeometry> BakeGeometry::create(BakeScene scene) {
     BakeGeometry geometry;
     geometry.scene_ = std::move(scene);
     geometry.up_ = unitOrZero(glm::dvec3(geometry.scene_.up));
-    if (Status status = geometry.check(); !status) {
+    if (AoStatus status = geometry.check(); !status) {
         return status;
     }
     geometry.firstTriangle_.push_back(0);
@@ -79,12 +79,12 @@ Result<BakeGeometry> BakeGeometry::create(BakeScene scene) {
         }
     }
     if (geometry.triangleCount() == 0) {
-        return Status(StatusCode::EmptyMesh, "there are no triangles to bake");
+        return AoStatus(StatusCode::EmptyMesh, "there are no triangles to bake");
     }
     return geometry;
 }
 
-Status BakeGeometry::check() const {
+AoStatus BakeGeometry::check() const {
     if (up_ == glm::dvec3(0.0)) {
         return {StatusCode::InvalidOption, "up is zero or not finite"};
     }
@@ -92,7 +92,7 @@ Status BakeGeometry::check() const {
         return {StatusCode::InvalidOption, "ground is not finite"};
     }
     for (std::size_t i = 0; i < scene_.surfaces.size(); ++i) {
-        if (Status status = bake::check(scene_.surfaces[i], i); !status) {
+        if (AoStatus status = bake::check(scene_.surfaces[i], i); !status) {
             return status;
         }
     }

@@ -56,7 +56,7 @@ public:
 
 private:
     BakeGeometry() = default;
-    Status check() const;
+    AoStatus check() const;
 
     BakeScene scene_;
     glm::dvec3 up_{0.0, 1.0, 0.0};

@@ -21,9 +21,9 @@ Result<gl::GLSLShader> buildBakeShader(const gl::Functions& gl, std::string_view
     const BakeShader* first = find(vertex);
     const BakeShader* second = find(fragment);
     if (first == nullptr || second == nullptr) {
-        return Status(StatusCode::ShaderError,
-                      std::string(first == nullptr ? vertex : fragment) +
-                          " was not embedded; name it in src/bake/CMakeLists.txt");
+        return AoStatus(StatusCode::ShaderError,
+                        std::string(first == nullptr ? vertex : fragment) +
+                            " was not embedded; name it in src/bake/CMakeLists.txt");
     }
     return gl::GLSLShader::build(gl, {first->name, first->text}, {second->name, second->text});
 }

@@ -90,14 +90,14 @@ Result<BakeVertices> BakeVertices::create(const gl::Functions& gl, const BakeGeo
         filler.add(surfaces[i], i);
     }
     if (filler.indices.size() > std::size_t{std::numeric_limits<GLsizei>::max()}) {
-        return Status(StatusCode::OutOfMemory, std::to_string(filler.indices.size() / 3) +
-                                                   " triangles are more than GL can number");
+        return AoStatus(StatusCode::OutOfMemory, std::to_string(filler.indices.size() / 3) +
+                                                     " triangles are more than GL can number");
     }
     BakeVertices result;
     result.gl_ = &gl;
     result.name_ = gl::generate<gl::VertexArrayName>(gl, &gl::Functions::GenVertexArrays);
     if (!result.name_) {
-        return Status(StatusCode::OutOfMemory, "aolib/bake: GL gave no vertex array name");
+        return AoStatus(StatusCode::OutOfMemory, "aolib/bake: GL gave no vertex array name");
     }
     gl.BindVertexArray(result.name_.name());
     gl::label(gl, GL_VERTEX_ARRAY, result.name_.name(), "aolib/bake");

@@ -19,17 +19,17 @@ public:
         }
         return *this;
     }
-    const Status& status() const { return status_; }
+    const AoStatus& status() const { return status_; }
 
 private:
-    Status status_;
+    AoStatus status_;
 };
 
 constexpr float longest = 1e30F;
 
 } // namespace
 
-Status check(const RayOptions& options) {
+AoStatus check(const RayOptions& options) {
     return Check()
         .within("rays", options.rays, 1, 1 << 20)
         .within("radius", options.radius, 0.0F, longest)
@@ -37,7 +37,7 @@ Status check(const RayOptions& options) {
         .status();
 }
 
-Status check(const ScatterOptions& options) {
+AoStatus check(const ScatterOptions& options) {
     return Check()
         .within("directions", options.directions, 1, 1 << 20)
         .within("radius", options.radius, 0.0F, longest)
@@ -46,7 +46,7 @@ Status check(const ScatterOptions& options) {
         .status();
 }
 
-Status check(const ShadowOptions& options) {
+AoStatus check(const ShadowOptions& options) {
     return Check()
         .within("directions", options.directions, 1, 1 << 20)
         .within("radius", options.radius, 0.0F, longest)
@@ -56,13 +56,13 @@ Status check(const ShadowOptions& options) {
         .status();
 }
 
-Status check(const MapOptions& options) {
-    const Status status = Check()
-                              .within("width", options.width, 1, 16384)
-                              .within("height", options.height, 1, 16384)
-                              .within("padding", options.padding, 0, 64)
-                              .within("texelSamples", options.texelSamples, 1, 64)
-                              .status();
+AoStatus check(const MapOptions& options) {
+    const AoStatus status = Check()
+                                .within("width", options.width, 1, 16384)
+                                .within("height", options.height, 1, 16384)
+                                .within("padding", options.padding, 0, 64)
+                                .within("texelSamples", options.texelSamples, 1, 64)
+                                .status();
     const std::size_t texels =
         static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
     if (status && !options.wanted.empty() && options.wanted.size() != texels) {
@@ -72,7 +72,7 @@ Status check(const MapOptions& options) {
     return status;
 }
 
-Status check(const VertexOptions& options) {
+AoStatus check(const VertexOptions& options) {
     return Check()
         .within("smoothness", options.smoothness, 0.0F, 100.0F)
         .within("density", options.density, 1.0F, 256.0F)

@@ -6,10 +6,10 @@
 namespace aolib::bake {
 
 // InvalidOption with the option's name, its value and its range, where one lies outside.
-Status check(const RayOptions& options);
-Status check(const ScatterOptions& options);
-Status check(const ShadowOptions& options);
-Status check(const MapOptions& options);
-Status check(const VertexOptions& options);
+AoStatus check(const RayOptions& options);
+AoStatus check(const ScatterOptions& options);
+AoStatus check(const ShadowOptions& options);
+AoStatus check(const MapOptions& options);
+AoStatus check(const VertexOptions& options);
 
 } // namespace aolib::bake

@@ -57,7 +57,7 @@ Result<int> GpuBake::addDirections(const DirectionPlan& plan, const BakeProgress
         }
         {
             const gl::StateGuard guard(*gl);
-            if (Status status = add(views); !status) {
+            if (AoStatus status = add(views); !status) {
                 return status;
             }
             gl->Finish();

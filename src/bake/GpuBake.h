@@ -31,7 +31,7 @@ struct DirectionPlan {
 };
 
 /// Adds what up to `atOnce` directions light, on a clean slate of GL state.
-using AddViews = std::function<Status(std::span<const LightView> views)>;
+using AddViews = std::function<AoStatus(std::span<const LightView> views)>;
 
 /// What every baker on the GPU has, and does.
 struct GpuBake {
@@ -64,7 +64,7 @@ double cosineNorm(Sky sky, int directions);
 template <typename Baker, typename Options>
 Result<std::unique_ptr<AbstractBaker>> createGpuBaker(const ProcAddressLoader& loader,
                                                       BakeScene scene, const Options& options) try {
-    if (Status status = check(options); !status) {
+    if (AoStatus status = check(options); !status) {
         return status;
     }
     Result<GpuBake> gpu = GpuBake::create(loader, std::move(scene));
@@ -72,12 +72,12 @@ Result<std::unique_ptr<AbstractBaker>> createGpuBaker(const ProcAddressLoader& l
         return gpu.status();
     }
     gpu->reach = {double{options.radius} * gpu->frame.scale(), options.falloff};
-    if (Status status = checkReach(gpu->reach, gpu->frame.scale()); !status) {
+    if (AoStatus status = checkReach(gpu->reach, gpu->frame.scale()); !status) {
         return status;
     }
     return std::unique_ptr<AbstractBaker>(std::make_unique<Baker>(std::move(*gpu), options));
 } catch (const std::bad_alloc&) {
-    return Status(StatusCode::OutOfMemory, "no memory left for the scene to bake");
+    return AoStatus(StatusCode::OutOfMemory, "no memory left for the scene to bake");
 }
 
 } // namespace aolib::bake

@@ -27,7 +27,7 @@ constexpr std::size_t fewReceivers = 8;
 constexpr float groundTolerance = 1e-5F;
 
 double frameLength(const RayScene& scene, const RayOptions& options) {
-    if (options.radius <= 0.0F || options.falloff == Falloff::None) {
+    if (options.radius <= 0.0F || options.falloff == Falloff::Off) {
         return std::numeric_limits<double>::infinity();
     }
     const double reach = options.falloff == Falloff::Exp ? expReach : 1.0;

@@ -18,10 +18,10 @@ public:
             place = std::move(*made);
         }
     }
-    const Status& status() const { return status_; }
+    const AoStatus& status() const { return status_; }
 
 private:
-    Status status_;
+    AoStatus status_;
 };
 
 } // namespace aolib::bake

@@ -32,7 +32,7 @@ public:
         });
     }
     /// All passes, or those before `watch` says that it is enough.
-    Status run(const BakeProgress& progress, const BakeWatch& watch);
+    AoStatus run(const BakeProgress& progress, const BakeWatch& watch);
 
     int samples() const override {
         return std::min_element(maps_.begin(), maps_.end(),
@@ -51,7 +51,7 @@ private:
     std::vector<MapSums> maps_;
 };
 
-Status MapLoop::run(const BakeProgress& progress, const BakeWatch& watch) {
+AoStatus MapLoop::run(const BakeProgress& progress, const BakeWatch& watch) {
     const int places = maps_.front().receivers.placesFor(method_.samples, method_.least);
     const int perRound = places * samplesAtOnce;
     const int passes = places * ((method_.samples + perRound - 1) / perRound);
@@ -65,7 +65,7 @@ Status MapLoop::run(const BakeProgress& progress, const BakeWatch& watch) {
         };
         const SampleRange range = sampleRange(method_.samples, pass, passes);
         map.receivers.moveTo(pass % places, places);
-        if (Status status = method_.add(range, number, map, share); !status) {
+        if (AoStatus status = method_.add(range, number, map, share); !status) {
             return status;
         }
         map.samples = range.last;
@@ -101,34 +101,34 @@ Result<std::vector<BakedMap>> MapLoop::maps() try {
 
 } // namespace
 
-Status cancelledBake() {
+AoStatus cancelledBake() {
     return {StatusCode::Cancelled, "the bake was cancelled"};
 }
 
-Status noTexels() {
+AoStatus noTexels() {
     return {StatusCode::InvalidPosition, "no triangle has UVs that cover a texel"};
 }
 
-Status noMemoryForMaps(const MapOptions& options) {
+AoStatus noMemoryForMaps(const MapOptions& options) {
     return {StatusCode::OutOfMemory, "no memory left for maps of " + std::to_string(options.width) +
                                          " x " + std::to_string(options.height) + " texels"};
 }
 
-Status noMemoryForView() {
+AoStatus noMemoryForView() {
     return {StatusCode::OutOfMemory, "no memory left for the view's pixels"};
 }
 
 Result<std::vector<BakedMap>> bakeInPasses(const BakeGeometry& geometry, const MapOptions& options,
                                            const TexelMethod& method, const BakeProgress& progress,
                                            const BakeWatch& watch) try {
-    if (Status status = check(options); !status) {
+    if (AoStatus status = check(options); !status) {
         return status;
     }
     MapLoop loop(geometry, options, method);
     if (!loop.covered()) {
         return noTexels();
     }
-    if (Status status = loop.run(progress, watch); !status) {
+    if (AoStatus status = loop.run(progress, watch); !status) {
         return status;
     }
     Result<std::vector<BakedMap>> maps = loop.maps();

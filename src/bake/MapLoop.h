@@ -29,8 +29,8 @@ struct TexelMethod {
     std::function<double(int samples)> norm;
     /// Adds what some samples of each texel find, from the place where the receivers are now.
     /// `progress` is never empty. Errors: Cancelled, and the method's own.
-    std::function<Status(const SampleRange& samples, int map, MapSums& sums,
-                         const BakeProgress& progress)>
+    std::function<AoStatus(const SampleRange& samples, int map, MapSums& sums,
+                           const BakeProgress& progress)>
         add;
 };
 
@@ -42,9 +42,9 @@ Result<std::vector<BakedMap>> bakeInPasses(const BakeGeometry& geometry, const M
                                            const BakeWatch& watch);
 
 /// What bakers answer when cancelled, where there is no texel, and no memory.
-Status cancelledBake();
-Status noTexels();
-Status noMemoryForMaps(const MapOptions& options);
-Status noMemoryForView();
+AoStatus cancelledBake();
+AoStatus noTexels();
+AoStatus noMemoryForMaps(const MapOptions& options);
+AoStatus noMemoryForView();
 
 } // namespace aolib::bake

@@ -44,7 +44,7 @@ std::vector<double> solved(Matrix matrix, std::vector<double> right) {
     return right;
 }
 
-Status check(std::span<const std::vector<float>> poses, std::span<const float> wanted) {
+AoStatus check(std::span<const std::vector<float>> poses, std::span<const float> wanted) {
     const auto finite = [](float value) { return std::isfinite(value); };
     if (poses.empty()) {
         return {StatusCode::InvalidOption, "there is no pose to blend"};
@@ -84,7 +84,7 @@ std::vector<float> poseWeightsAt(std::span<const float> times, float time) {
 
 Result<std::vector<float>> poseWeightsFor(std::span<const std::vector<float>> poses,
                                           std::span<const float> wanted) {
-    if (Status status = check(poses, wanted); !status) {
+    if (AoStatus status = check(poses, wanted); !status) {
         return status;
     }
     const std::size_t count = poses.size();
@@ -126,16 +126,17 @@ template <typename T>
 Result<std::vector<T>> weightedSum(std::span<const std::vector<T>> poses,
                                    std::span<const float> weights) {
     if (poses.empty() || poses.size() != weights.size()) {
-        return Status(StatusCode::InvalidOption, std::to_string(weights.size()) + " weights for " +
-                                                     std::to_string(poses.size()) + " poses");
+        return AoStatus(StatusCode::InvalidOption, std::to_string(weights.size()) +
+                                                       " weights for " +
+                                                       std::to_string(poses.size()) + " poses");
     }
     std::vector<T> sum(poses[0].size(), T(0.0F));
     for (std::size_t pose = 0; pose < poses.size(); ++pose) {
         if (poses[pose].size() != sum.size()) {
-            return Status(StatusCode::InvalidOption, "pose " + std::to_string(pose) + " has " +
-                                                         std::to_string(poses[pose].size()) +
-                                                         " vertices, the first has " +
-                                                         std::to_string(sum.size()));
+            return AoStatus(StatusCode::InvalidOption, "pose " + std::to_string(pose) + " has " +
+                                                           std::to_string(poses[pose].size()) +
+                                                           " vertices, the first has " +
+                                                           std::to_string(sum.size()));
         }
         for (std::size_t i = 0; i < sum.size(); ++i) {
             sum[i] += weights[pose] * poses[pose][i];

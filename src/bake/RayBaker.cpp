@@ -70,8 +70,8 @@ bool RayBaker::traceGroups(std::size_t groups, const SampleRange& rays, const Fi
 }
 
 /// Adds what some of the rays find to a map's sums.
-Status RayBaker::addRays(const SampleRange& rays, int number, MapSums& map,
-                         const BakeProgress& progress) const {
+AoStatus RayBaker::addRays(const SampleRange& rays, int number, MapSums& map,
+                           const BakeProgress& progress) const {
     const int width = map.receivers.raster().width();
     const int height = map.receivers.raster().height();
     const int across = (width + tileSide - 1) / tileSide;
@@ -100,7 +100,7 @@ Status RayBaker::addRays(const SampleRange& rays, int number, MapSums& map,
     const bool done =
         traceGroups(static_cast<std::size_t>(across) * static_cast<std::size_t>(along), rays, fill,
                     take, progress);
-    return done ? Status() : cancelledBake();
+    return done ? AoStatus() : cancelledBake();
 }
 
 Result<std::vector<BakedMap>> RayBaker::bakeMaps(const MapOptions& options,
@@ -145,12 +145,12 @@ Result<std::vector<glm::vec4>> RayBaker::tracePoints(const std::vector<SurfacePo
 
 Result<std::vector<BakedVertices>> RayBaker::bakeVertices(const VertexOptions& options,
                                                           const BakeProgress& progress) try {
-    if (Status status = check(options); !status) {
+    if (AoStatus status = check(options); !status) {
         return status;
     }
     if (options_.sectors && options.fit != VertexFit::Direct) {
-        return Status(StatusCode::MissingCapability,
-                      "sectors are traced at the vertices alone: VertexFit::Direct");
+        return AoStatus(StatusCode::MissingCapability,
+                        "sectors are traced at the vertices alone: VertexFit::Direct");
     }
     const VertexWeld weld = weldVertices(geometry_);
     std::vector<OpenSectors> sectors;
@@ -163,7 +163,7 @@ Result<std::vector<BakedVertices>> RayBaker::bakeVertices(const VertexOptions& o
     }
     return unweldedVertices(geometry_, weld, *values, sectors);
 } catch (const std::bad_alloc&) {
-    return Status(StatusCode::OutOfMemory, "no memory left for the values of vertices");
+    return AoStatus(StatusCode::OutOfMemory, "no memory left for the values of vertices");
 }
 
 Result<BakedMap> RayBaker::bakeView(const ViewPixels& view, const BakeProgress& progress) try {
@@ -179,7 +179,7 @@ Result<BakedMap> RayBaker::bakeView(const ViewPixels& view, const BakeProgress& 
 
 Result<std::unique_ptr<AbstractBaker>> createRayBaker(BakeScene scene,
                                                       const RayOptions& options) try {
-    if (Status status = check(options); !status) {
+    if (AoStatus status = check(options); !status) {
         return status;
     }
     Result<BakeGeometry> geometry = BakeGeometry::create(std::move(scene));
@@ -193,7 +193,7 @@ Result<std::unique_ptr<AbstractBaker>> createRayBaker(BakeScene scene,
     return std::unique_ptr<AbstractBaker>(
         std::make_unique<RayBaker>(std::move(*geometry), std::move(*rays), options));
 } catch (const std::bad_alloc&) {
-    return Status(StatusCode::OutOfMemory, "no memory left for the scene to bake");
+    return AoStatus(StatusCode::OutOfMemory, "no memory left for the scene to bake");
 }
 
 } // namespace aolib::bake

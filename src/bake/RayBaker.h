@@ -34,8 +34,8 @@ private:
 
     bool traceGroups(std::size_t groups, const SampleRange& rays, const FillGroup& fill,
                      const TakeResult& take, const BakeProgress& progress) const;
-    Status addRays(const SampleRange& rays, int number, MapSums& map,
-                   const BakeProgress& progress) const;
+    AoStatus addRays(const SampleRange& rays, int number, MapSums& map,
+                     const BakeProgress& progress) const;
     /// W and direction of each point.
     /// @param sectors  null where nobody asks for them.
     Result<std::vector<glm::vec4>> tracePoints(const std::vector<SurfacePoint>& points,

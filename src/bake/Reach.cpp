@@ -48,7 +48,7 @@ double radiusOf(const Reach& reach, std::uint32_t seed, std::uint32_t index) {
     return std::max(reach.radius * std::max(share, leastShare), leastRadius);
 }
 
-Status checkReach(const Reach& reach, double scale) {
+AoStatus checkReach(const Reach& reach, double scale) {
     if (reach.endless() || reach.radius >= leastRadius) {
         return {};
     }

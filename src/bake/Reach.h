@@ -14,7 +14,7 @@ struct Reach {
     double radius = 0.0; ///< frame units; 0 has no end
     Falloff falloff = Falloff::Step;
 
-    bool endless() const { return radius <= 0.0 || falloff == Falloff::None; }
+    bool endless() const { return radius <= 0.0 || falloff == Falloff::Off; }
 };
 
 /// The radius of a direction, frame units: what is nearer than that occludes; infinite where
@@ -24,6 +24,6 @@ double radiusOf(const Reach& reach, std::uint32_t seed, std::uint32_t index);
 
 /// Errors: InvalidOption, naming the least radius, where a scene would be cut into too many slabs.
 /// @param scale  frame units per world unit.
-Status checkReach(const Reach& reach, double scale);
+AoStatus checkReach(const Reach& reach, double scale);
 
 } // namespace aolib::bake

@@ -56,11 +56,11 @@ std::vector<glm::vec4> meansOf(const VertexSums& sums, double norm) {
 Result<std::vector<BakedMap>> ScatterBaker::bakeMaps(const MapOptions& options,
                                                      const BakeProgress& progress,
                                                      const BakeWatch& watch) try {
-    if (Status status = check(options); !status) {
+    if (AoStatus status = check(options); !status) {
         return status;
     }
     ScatterMaps bake(gpu_, options_, options);
-    if (Status status = bake.run(progress, watch); !status) {
+    if (AoStatus status = bake.run(progress, watch); !status) {
         return status;
     }
     Result<std::vector<BakedMap>> maps = bake.maps();
@@ -72,7 +72,7 @@ Result<std::vector<BakedMap>> ScatterBaker::bakeMaps(const MapOptions& options,
     return noMemoryForMaps(options);
 }
 
-Status ScatterBaker::sumVertices(VertexSums& sums, const BakeProgress& progress) const {
+AoStatus ScatterBaker::sumVertices(VertexSums& sums, const BakeProgress& progress) const {
     // No map decides which triangles are drawn with what: a map of one texel will do.
     const Result<BakeVertices> vertices = gpu_.upload(1, 1, nullptr);
     if (!vertices) {
@@ -100,7 +100,7 @@ Status ScatterBaker::sumVertices(VertexSums& sums, const BakeProgress& progress)
     plan.sky = options_.sky;
     plan.seed = options_.seed;
     const auto add = [&](std::span<const LightView> views) {
-        Status status;
+        AoStatus status;
         for (std::size_t i = 0; i < views.size() && status; ++i) {
             status =
                 passes->drawSurface(views[i], [&] { sums.add(passes->readSurface(), views[i]); });
@@ -112,17 +112,18 @@ Status ScatterBaker::sumVertices(VertexSums& sums, const BakeProgress& progress)
 
 Result<std::vector<BakedVertices>> ScatterBaker::bakeVertices(const VertexOptions& options,
                                                               const BakeProgress& progress) try {
-    if (Status status = check(options); !status) {
+    if (AoStatus status = check(options); !status) {
         return status;
     }
     if (options.fit == VertexFit::TriangleMean) {
-        return Status(StatusCode::MissingCapability,
-                      "scattered points lie all over the triangles: VertexFit::Direct takes their "
-                      "mean about each vertex, LeastSquares fits them");
+        return AoStatus(
+            StatusCode::MissingCapability,
+            "scattered points lie all over the triangles: VertexFit::Direct takes their "
+            "mean about each vertex, LeastSquares fits them");
     }
     const VertexWeld weld = weldVertices(gpu_.geometry);
     VertexSums sums(gpu_.geometry, gpu_.frame, weld, gpu_.ground());
-    if (Status status = sumVertices(sums, progress); !status) {
+    if (AoStatus status = sumVertices(sums, progress); !status) {
         return status;
     }
     const double norm = cosineNorm(options_.sky, options_.directions);
@@ -139,14 +140,14 @@ Result<std::vector<BakedVertices>> ScatterBaker::bakeVertices(const VertexOption
     }
     return unweldedVertices(gpu_.geometry, weld, values);
 } catch (const std::bad_alloc&) {
-    return Status(StatusCode::OutOfMemory, "no memory left for the values of vertices");
+    return AoStatus(StatusCode::OutOfMemory, "no memory left for the values of vertices");
 }
 
 Result<BakedMap> ScatterBaker::bakeView(const ViewPixels& /*view*/,
                                         const BakeProgress& /*progress*/) {
-    return Status(StatusCode::MissingCapability,
-                  "points are scattered into maps and among vertices, which are the model's own: "
-                  "rays and shadow maps ask from a view's pixels");
+    return AoStatus(StatusCode::MissingCapability,
+                    "points are scattered into maps and among vertices, which are the model's own: "
+                    "rays and shadow maps ask from a view's pixels");
 }
 
 Result<std::unique_ptr<AbstractBaker>> createScatterBaker(const ProcAddressLoader& loader,

@@ -24,7 +24,7 @@ public:
     Result<BakedMap> bakeView(const ViewPixels& view, const BakeProgress& progress) override;
 
 private:
-    Status sumVertices(VertexSums& sums, const BakeProgress& progress) const;
+    AoStatus sumVertices(VertexSums& sums, const BakeProgress& progress) const;
 
     GpuBake gpu_;
     ScatterOptions options_;

@@ -97,7 +97,7 @@ float ScatterMaps::density() const {
     return static_cast<float>(texels / (area * scale * scale));
 }
 
-Status ScatterMaps::run(const BakeProgress& progress, const BakeWatch& watch) {
+AoStatus ScatterMaps::run(const BakeProgress& progress, const BakeWatch& watch) {
     rasterise();
     if (std::none_of(rasters_.begin(), rasters_.end(),
                      [](const TexelRaster& raster) { return raster.coveredTexels() > 0; })) {
@@ -132,7 +132,8 @@ Status ScatterMaps::run(const BakeProgress& progress, const BakeWatch& watch) {
             return !progress || progress((first + fraction * settings_.stack.count) / count);
         };
         // The first stack decides how many directions there are: the others get as many.
-        if (Status status = addStack(*vertices, share, first == 0 ? watch : BakeWatch()); !status) {
+        if (AoStatus status = addStack(*vertices, share, first == 0 ? watch : BakeWatch());
+            !status) {
             return status;
         }
     }
@@ -140,8 +141,8 @@ Status ScatterMaps::run(const BakeProgress& progress, const BakeWatch& watch) {
 }
 
 /// Sums up the maps of a stack.
-Status ScatterMaps::addStack(const BakeVertices& vertices, const BakeProgress& progress,
-                             const BakeWatch& watch) {
+AoStatus ScatterMaps::addStack(const BakeVertices& vertices, const BakeProgress& progress,
+                               const BakeWatch& watch) {
     const auto owners = std::span(owners_).subspan(stackStart(), stackSize());
     {
         const gl::StateGuard guard(*gpu_.gl);
@@ -183,7 +184,7 @@ Result<int> ScatterMaps::addDirections(const PointTarget& target, const BakeProg
     plan.sky = scatter_.sky;
     plan.seed = scatter_.seed;
     const auto add = [&](std::span<const LightView> views) {
-        Status status;
+        AoStatus status;
         for (std::size_t i = 0; i < views.size() && status; ++i) {
             status = passes_->drawSurface(views[i], [&] {
                 if (adder) {

@@ -21,7 +21,7 @@ public:
 
     /// Errors: InvalidPosition where no texel is covered, MissingCapability, ShaderError,
     /// OutOfMemory, Cancelled.
-    Status run(const BakeProgress& progress, const BakeWatch& watch);
+    AoStatus run(const BakeProgress& progress, const BakeWatch& watch);
 
     int samples() const override { return directions_; }
     int wantedSamples() const override { return scatter_.directions; }
@@ -31,8 +31,8 @@ private:
     void rasterise();
     int rasterSize() const;
     float density() const;
-    Status addStack(const BakeVertices& vertices, const BakeProgress& progress,
-                    const BakeWatch& watch);
+    AoStatus addStack(const BakeVertices& vertices, const BakeProgress& progress,
+                      const BakeWatch& watch);
     Result<int> addDirections(const PointTarget& target, const BakeProgress& progress,
                               const BakeWatch& watch);
     void fetch();

@@ -141,7 +141,7 @@ void ScatterPasses::beginSurface(const LightView& view, const glm::mat4& toClip)
     surfaceShader_.set("uDensity", settings_.density);
 }
 
-Status ScatterPasses::drawSurface(const LightView& view, const std::function<void()>& take) {
+AoStatus ScatterPasses::drawSurface(const LightView& view, const std::function<void()>& take) {
     if (slabs_) {
         return drawSlabs(view, take);
     }
@@ -159,11 +159,11 @@ Status ScatterPasses::drawSurface(const LightView& view, const std::function<voi
     return {};
 }
 
-Status ScatterPasses::drawSlabs(const LightView& view, const std::function<void()>& take) {
+AoStatus ScatterPasses::drawSlabs(const LightView& view, const std::function<void()>& take) {
     const gl::DebugGroup group(*gl_, "aolib/bake/slabs");
     slabs_->begin(view);
     for (slab_ = 0; slab_ < slabs_->count(); ++slab_) {
-        if (Status status = slabs_->prepare(slab_); !status) {
+        if (AoStatus status = slabs_->prepare(slab_); !status) {
             return status;
         }
         if (slabs_->empty(slab_)) {

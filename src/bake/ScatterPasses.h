@@ -51,7 +51,7 @@ public:
 
     /// Stage 1: what one direction lights, in one picture, or in one for each of its slabs.
     /// @param take  is called for each, for stage 2. Errors: OutOfMemory.
-    Status drawSurface(const LightView& view, const std::function<void()>& take);
+    AoStatus drawSurface(const LightView& view, const std::function<void()>& take);
     /// Stage 2, where points are drawn: adds it to the sums.
     void scatter(const LightView& view);
     /// Stage 1's picture: u, v, number of the triangle from 1, 0 for none; or with `places` x, y,
@@ -65,7 +65,7 @@ public:
 private:
     void clearSurface() const;
     void beginSurface(const LightView& view, const glm::mat4& toClip);
-    Status drawSlabs(const LightView& view, const std::function<void()>& take);
+    AoStatus drawSlabs(const LightView& view, const std::function<void()>& take);
 
     const gl::Functions* gl_ = nullptr;
     const BakeVertices* vertices_ = nullptr;

@@ -37,7 +37,7 @@ void ScatterSlabs::begin(const LightView& view) {
     prepared_ = 0;
 }
 
-Status ScatterSlabs::prepare(int slab) {
+AoStatus ScatterSlabs::prepare(int slab) {
     if (slab < prepared_) {
         return {};
     }

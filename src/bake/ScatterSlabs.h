@@ -30,7 +30,7 @@ public:
     void begin(const LightView& view);
     int count() const { return slabs_->count(); }
     /// Makes a slab ready; they are asked for one after the other. Errors: OutOfMemory.
-    Status prepare(int slab);
+    AoStatus prepare(int slab);
 
     bool empty(int slab) const { return triangles_.empty(slab); }
     glm::mat4 toClip(int slab) const { return slabs_->nearest(slab); }

@@ -37,7 +37,7 @@ Result<ShadowBaker::Work> ShadowBaker::workFor(const BakeVertices& vertices,
     settings.ground = gpu_.ground();
     Work work;
     work.depthSize = settings.size;
-    Status status;
+    AoStatus status;
     const auto keep = [&](auto passes) {
         status = passes.status();
         if (passes) {
@@ -92,7 +92,7 @@ Result<std::vector<glm::vec4>> ShadowBaker::sumsOf(Work& work, Receivers receive
 Result<std::vector<BakedMap>> ShadowBaker::bakeMaps(const MapOptions& options,
                                                     const BakeProgress& progress,
                                                     const BakeWatch& watch) try {
-    if (Status status = check(options); !status) {
+    if (AoStatus status = check(options); !status) {
         return status;
     }
     const Result<BakeVertices> vertices = gpu_.upload(options.width, options.height, nullptr);
@@ -119,7 +119,7 @@ Result<std::vector<BakedMap>> ShadowBaker::bakeMaps(const MapOptions& options,
         }
         std::transform(sums->begin(), sums->end(), map.light.begin(), map.light.begin(),
                        [](const glm::vec4& a, const glm::vec4& b) { return a + b; });
-        return Status();
+        return AoStatus();
     };
     return bakeInPasses(gpu_.geometry, options, method, progress, watch);
 } catch (const std::bad_alloc&) {
@@ -138,8 +138,8 @@ Result<std::vector<glm::vec4>> ShadowBaker::valuesAt(const std::vector<SurfacePo
         points.size() <= std::size_t(leastColumns) * std::size_t(most) ? leastColumns : most;
     const auto rows = (points.size() + std::size_t(columns) - 1) / std::size_t(columns);
     if (rows > std::size_t(most)) {
-        return Status(StatusCode::MissingCapability,
-                      std::to_string(points.size()) + " places are more than a texture holds");
+        return AoStatus(StatusCode::MissingCapability,
+                        std::to_string(points.size()) + " places are more than a texture holds");
     }
     if (points.empty()) {
         return std::vector<glm::vec4>();
@@ -166,7 +166,7 @@ Result<std::vector<glm::vec4>> ShadowBaker::valuesAt(const std::vector<SurfacePo
 
 Result<std::vector<BakedVertices>> ShadowBaker::bakeVertices(const VertexOptions& options,
                                                              const BakeProgress& progress) try {
-    if (Status status = check(options); !status) {
+    if (AoStatus status = check(options); !status) {
         return status;
     }
     const auto trace = [&](const std::vector<SurfacePoint>& points) {
@@ -182,7 +182,7 @@ Result<std::vector<BakedVertices>> ShadowBaker::bakeVertices(const VertexOptions
     }
     return unweldedVertices(gpu_.geometry, weld, *values);
 } catch (const std::bad_alloc&) {
-    return Status(StatusCode::OutOfMemory, "no memory left for the values of vertices");
+    return AoStatus(StatusCode::OutOfMemory, "no memory left for the values of vertices");
 }
 
 Result<BakedMap> ShadowBaker::bakeView(const ViewPixels& view, const BakeProgress& progress) try {

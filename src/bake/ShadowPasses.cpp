@@ -31,7 +31,7 @@ Result<ShadowPasses> ShadowPasses::create(const gl::Functions& gl, const DepthSe
     return passes;
 }
 
-Status ShadowPasses::addDirections(std::span<const LightView> views, ReceiverSums& sums) {
+AoStatus ShadowPasses::addDirections(std::span<const LightView> views, ReceiverSums& sums) {
     const gl::DebugGroup group(*gl_, "aolib/bake/shadow maps");
     drawDepths(views);
     gather(views, sums);

@@ -19,7 +19,7 @@ public:
     static Result<ShadowPasses> create(const gl::Functions& gl, const DepthSettings& settings,
                                        const BakeVertices& vertices);
 
-    Status addDirections(std::span<const LightView> views, ReceiverSums& sums) override;
+    AoStatus addDirections(std::span<const LightView> views, ReceiverSums& sums) override;
     int mapsPerPass() const override { return tiles_.count(); }
 
 private:

@@ -42,9 +42,9 @@ Result<SlabPasses> SlabPasses::create(const gl::Functions& gl, const DepthSettin
         return tiles.status();
     }
     if (tiles->count() < 2) {
-        return Status(StatusCode::MissingCapability,
-                      "no texture of this context holds two depth maps of " +
-                          std::to_string(settings.size) + " texels a side");
+        return AoStatus(StatusCode::MissingCapability,
+                        "no texture of this context holds two depth maps of " +
+                            std::to_string(settings.size) + " texels a side");
     }
     Result<gl::GLSLShader> gather =
         buildBakeShader(gl, "bake/fullscreen.vert", "bake/slab_gather.frag");
@@ -58,7 +58,7 @@ Result<SlabPasses> SlabPasses::create(const gl::Functions& gl, const DepthSettin
     return passes;
 }
 
-Status SlabPasses::addDirections(std::span<const LightView> views, ReceiverSums& sums) {
+AoStatus SlabPasses::addDirections(std::span<const LightView> views, ReceiverSums& sums) {
     const gl::DebugGroup group(*gl_, "aolib/bake/slabs");
     int used = 0;
     runs_.clear();
@@ -74,7 +74,7 @@ Status SlabPasses::addDirections(std::span<const LightView> views, ReceiverSums&
         for (int first = range.first; first < range.last;) {
             const int count = std::min(range.last - first, pairs_ - used);
             runs_.push_back({&view, slabs, first, count, used});
-            if (Status status = drawRun(runs_.back()); !status) {
+            if (AoStatus status = drawRun(runs_.back()); !status) {
                 return status;
             }
             used += count;
@@ -91,8 +91,8 @@ Status SlabPasses::addDirections(std::span<const LightView> views, ReceiverSums&
 }
 
 /// Draws the depth maps of a run.
-Status SlabPasses::drawRun(const Run& run) {
-    if (Status status = triangles_.prepare(std::max(0, run.first - 1), run.first + run.count);
+AoStatus SlabPasses::drawRun(const Run& run) {
+    if (AoStatus status = triangles_.prepare(std::max(0, run.first - 1), run.first + run.count);
         !status) {
         return status;
     }

@@ -23,7 +23,7 @@ public:
     static Result<SlabPasses> create(const gl::Functions& gl, const DepthSettings& settings,
                                      const BakeVertices& vertices);
 
-    Status addDirections(std::span<const LightView> views, ReceiverSums& sums) override;
+    AoStatus addDirections(std::span<const LightView> views, ReceiverSums& sums) override;
     int mapsPerPass() const override { return pairs_; }
 
 private:
@@ -38,7 +38,7 @@ private:
 
     SlabPasses(const gl::Functions& gl, const DepthSettings& settings, const BakeVertices& vertices)
         : gl_(&gl), settings_(settings), triangles_(gl, vertices) {}
-    Status drawRun(const Run& run);
+    AoStatus drawRun(const Run& run);
     void gather(ReceiverSums& sums);
 
     const gl::Functions* gl_;

@@ -5,7 +5,7 @@
 
 namespace aolib::bake {
 
-Status SlabTriangles::prepare(int first, int last) {
+AoStatus SlabTriangles::prepare(int first, int last) {
     bins_.fill(first, last);
     const std::vector<std::uint32_t>& indices = bins_.indices();
     if (indices.empty()) {

@@ -21,7 +21,7 @@ public:
 
     void begin(const Slabs& slabs) { bins_.begin(slabs); }
     /// Makes slabs `first` to `last` - 1 ready to be drawn, and no others. Errors: OutOfMemory.
-    Status prepare(int first, int last);
+    AoStatus prepare(int first, int last);
 
     bool empty(int slab) const { return bins_.bin(slab).count == 0; }
     /// As BakeVertices::drawNumbered(), numbered from the slab's first triangle on.

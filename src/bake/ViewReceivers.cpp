@@ -18,7 +18,7 @@ bool shows(const ViewPixels& view, std::size_t pixel) {
     return view.normals[pixel] != glm::vec3(0.0F);
 }
 
-Status check(const ViewPixels& view) {
+AoStatus check(const ViewPixels& view) {
     if (view.width < 1 || view.width > mostPixels || view.height < 1 || view.height > mostPixels) {
         return {StatusCode::InvalidOption, "a view is " + std::to_string(view.width) + " x " +
                                                std::to_string(view.height) +
@@ -42,7 +42,7 @@ Status check(const ViewPixels& view) {
 } // namespace
 
 Result<std::vector<SurfacePoint>> receiversOf(const ViewPixels& view) {
-    if (Status status = check(view); !status) {
+    if (AoStatus status = check(view); !status) {
         return status;
     }
     std::vector<SurfacePoint> points;
@@ -53,10 +53,10 @@ Result<std::vector<SurfacePoint>> receiversOf(const ViewPixels& view) {
         const std::string pixel = "pixel " + std::to_string(i) + " of the view: ";
         const glm::vec3& own = view.planes.empty() ? view.normals[i] : view.planes[i];
         if (!isFinite(view.positions[i])) {
-            return Status(StatusCode::InvalidPosition, pixel + "its position is not finite");
+            return AoStatus(StatusCode::InvalidPosition, pixel + "its position is not finite");
         }
         if (!isFinite(view.normals[i]) || !isFinite(own)) {
-            return Status(StatusCode::InvalidNormal, pixel + "a normal is not finite");
+            return AoStatus(StatusCode::InvalidNormal, pixel + "a normal is not finite");
         }
         SurfacePoint point;
         point.normal = unitOrZero(glm::dvec3(view.normals[i]));

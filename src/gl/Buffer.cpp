@@ -10,7 +10,7 @@ Result<Buffer> Buffer::create(const Functions& gl, GLenum target, std::size_t by
     buffer.name_ = generate<BufferName>(gl, &Functions::GenBuffers);
     buffer.bytes_ = bytes;
     if (!buffer.name_) {
-        return Status(StatusCode::OutOfMemory, label + ": GL gave no buffer name");
+        return AoStatus(StatusCode::OutOfMemory, label + ": GL gave no buffer name");
     }
     gl.BindBuffer(target, buffer.name());
     gl::label(gl, GL_BUFFER, buffer.name(), label);
@@ -18,8 +18,8 @@ Result<Buffer> Buffer::create(const Functions& gl, GLenum target, std::size_t by
     GLint size = 0; // read as an int: all that is asked is whether there is any
     gl.GetBufferParameteriv(target, GL_BUFFER_SIZE, &size);
     if (size == 0 && bytes > 0) {
-        return Status(StatusCode::OutOfMemory,
-                      label + ": no memory for " + std::to_string(bytes) + " bytes");
+        return AoStatus(StatusCode::OutOfMemory,
+                        label + ": no memory for " + std::to_string(bytes) + " bytes");
     }
     return buffer;
 }

@@ -96,7 +96,7 @@ Functions::Capabilities capabilitiesOf(const Functions& gl, int version) {
 
 Result<Functions> Functions::load(const ProcAddressLoader& loader) {
     if (!loader) {
-        return Status(StatusCode::NoContext, "the loader is empty");
+        return AoStatus(StatusCode::NoContext, "the loader is empty");
     }
     Functions gl;
     std::string missing;
@@ -112,17 +112,17 @@ Result<Functions> Functions::load(const ProcAddressLoader& loader) {
 #undef AOLIB_GL_LOAD
     if (gl.GetString == nullptr || gl.GetIntegerv == nullptr ||
         gl.GetString(GL_VERSION) == nullptr) {
-        return Status(StatusCode::NoContext,
-                      "no OpenGL context is current, or the loader does not belong to it");
+        return AoStatus(StatusCode::NoContext,
+                        "no OpenGL context is current, or the loader does not belong to it");
     }
     const int version = versionOf(gl);
     if (version < 33) {
-        return Status(StatusCode::MissingCapability,
-                      std::string("OpenGL 3.3 is needed, this context is ") +
-                          reinterpret_cast<const char*>(gl.GetString(GL_VERSION)));
+        return AoStatus(StatusCode::MissingCapability,
+                        std::string("OpenGL 3.3 is needed, this context is ") +
+                            reinterpret_cast<const char*>(gl.GetString(GL_VERSION)));
     }
     if (!missing.empty()) {
-        return Status(StatusCode::MissingCapability, "the loader does not know" + missing);
+        return AoStatus(StatusCode::MissingCapability, "the loader does not know" + missing);
     }
     gl.capabilities = capabilitiesOf(gl, version);
     return gl;

@@ -24,7 +24,7 @@ public:
 
     GLuint name() const { return name_; }
 
-    Status compile(const GLSLShader::Source& source) const {
+    AoStatus compile(const GLSLShader::Source& source) const {
         if (name_ == 0) {
             return {StatusCode::OutOfMemory, std::string(source.name) + ": GL gave no shader name"};
         }
@@ -72,19 +72,19 @@ GLSLShader::~GLSLShader() {
 Result<GLSLShader> GLSLShader::build(const Functions& gl, const Source& vertex,
                                      const Source& fragment) {
     const Stage vertexStage(gl, GL_VERTEX_SHADER);
-    if (Status status = vertexStage.compile(vertex); !status) {
+    if (AoStatus status = vertexStage.compile(vertex); !status) {
         return status;
     }
     const Stage fragmentStage(gl, GL_FRAGMENT_SHADER);
-    if (Status status = fragmentStage.compile(fragment); !status) {
+    if (AoStatus status = fragmentStage.compile(fragment); !status) {
         return status;
     }
     GLSLShader shader;
     shader.gl_ = &gl;
     shader.program_ = gl.CreateProgram();
     if (shader.program_ == 0) {
-        return Status(StatusCode::OutOfMemory,
-                      std::string(fragment.name) + ": GL gave no program name");
+        return AoStatus(StatusCode::OutOfMemory,
+                        std::string(fragment.name) + ": GL gave no program name");
     }
     gl.AttachShader(shader.program_, vertexStage.name());
     gl.AttachShader(shader.program_, fragmentStage.name());
@@ -98,9 +98,9 @@ Result<GLSLShader> GLSLShader::build(const Functions& gl, const Source& vertex,
         gl.GetProgramiv(shader.program_, GL_INFO_LOG_LENGTH, &size);
         std::string log(static_cast<std::size_t>(size > 0 ? size : 0), '\0');
         gl.GetProgramInfoLog(shader.program_, size, nullptr, log.data());
-        return Status(StatusCode::ShaderError, std::string(vertex.name) + " and " +
-                                                   std::string(fragment.name) +
-                                                   " do not link: " + log.c_str());
+        return AoStatus(StatusCode::ShaderError, std::string(vertex.name) + " and " +
+                                                     std::string(fragment.name) +
+                                                     " do not link: " + log.c_str());
     }
     gl::label(gl, GL_PROGRAM, shader.program_, "aolib/" + std::string(fragment.name));
     return shader;

@@ -36,7 +36,7 @@ Result<GpuTimer> GpuTimer::create(const Functions& gl) {
     for (Query& query : timer.queries_) {
         query = generate<Query>(gl, &Functions::GenQueries);
         if (!query) {
-            return Status(StatusCode::OutOfMemory, "GL gave no query name for a timer");
+            return AoStatus(StatusCode::OutOfMemory, "GL gave no query name for a timer");
         }
     }
     return timer;

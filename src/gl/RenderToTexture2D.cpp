@@ -27,8 +27,8 @@ GLint glFilter(RenderToTexture2D::Filter filter) {
 
 } // namespace
 
-Status RenderToTexture2D::addTexture(Texture& texture, GLenum attachment, GLenum internalFormat,
-                                     GLenum format, GLenum type, const std::string& label) {
+AoStatus RenderToTexture2D::addTexture(Texture& texture, GLenum attachment, GLenum internalFormat,
+                                       GLenum format, GLenum type, const std::string& label) {
     const Functions& gl = *gl_;
     texture = generate<Texture>(gl, &Functions::GenTextures);
     if (!texture) {
@@ -60,25 +60,25 @@ Result<RenderToTexture2D> RenderToTexture2D::create(const Functions& gl, const S
         settings.height > gl.capabilities.maxTextureSize ||
         static_cast<int>(settings.targets.size()) >
             std::min(gl.capabilities.maxDrawBuffers, kMaxTargets)) {
-        return Status(StatusCode::MissingCapability,
-                      settings.label + ": " + std::to_string(settings.targets.size()) +
-                          " targets of " + std::to_string(settings.width) + " x " +
-                          std::to_string(settings.height) + " texels; this context allows " +
-                          std::to_string(gl.capabilities.maxDrawBuffers) + " of up to " +
-                          std::to_string(gl.capabilities.maxTextureSize));
+        return AoStatus(StatusCode::MissingCapability,
+                        settings.label + ": " + std::to_string(settings.targets.size()) +
+                            " targets of " + std::to_string(settings.width) + " x " +
+                            std::to_string(settings.height) + " texels; this context allows " +
+                            std::to_string(gl.capabilities.maxDrawBuffers) + " of up to " +
+                            std::to_string(gl.capabilities.maxTextureSize));
     }
     RenderToTexture2D rtt;
     rtt.gl_ = &gl;
     rtt.settings_ = settings;
     rtt.framebuffer_ = generate<Framebuffer>(gl, &Functions::GenFramebuffers);
     if (!rtt.framebuffer_) {
-        return Status(StatusCode::OutOfMemory, settings.label + ": GL gave no framebuffer name");
+        return AoStatus(StatusCode::OutOfMemory, settings.label + ": GL gave no framebuffer name");
     }
     gl.BindFramebuffer(GL_FRAMEBUFFER, rtt.framebuffer_.name());
     gl::label(gl, GL_FRAMEBUFFER, rtt.framebuffer_.name(), settings.label);
     for (std::size_t i = 0; i < settings.targets.size(); ++i) {
         const TexelFormat texel = texelFormat(settings.targets[i]);
-        if (Status status =
+        if (AoStatus status =
                 rtt.addTexture(rtt.textures_.emplace_back(),
                                GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i), texel.internalFormat,
                                texel.format, texel.type, settings.label + "/" + std::to_string(i));
@@ -90,8 +90,8 @@ Result<RenderToTexture2D> RenderToTexture2D::create(const Functions& gl, const S
         const TexelFormat texel = texelFormat(settings.depth);
         const GLenum attachment =
             hasStencil(settings.depth) ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT;
-        if (Status status = rtt.addTexture(rtt.depth_, attachment, texel.internalFormat,
-                                           texel.format, texel.type, settings.label + "/depth");
+        if (AoStatus status = rtt.addTexture(rtt.depth_, attachment, texel.internalFormat,
+                                             texel.format, texel.type, settings.label + "/depth");
             !status) {
             return status;
         }
@@ -102,16 +102,16 @@ Result<RenderToTexture2D> RenderToTexture2D::create(const Functions& gl, const S
     }
     if (const GLenum state = gl.CheckFramebufferStatus(GL_FRAMEBUFFER);
         state != GL_FRAMEBUFFER_COMPLETE) {
-        return Status(StatusCode::MissingCapability,
-                      settings.label +
-                          ": this driver cannot render to these formats (framebuffer "
-                          "status " +
-                          std::to_string(state) + ")");
+        return AoStatus(StatusCode::MissingCapability,
+                        settings.label +
+                            ": this driver cannot render to these formats (framebuffer "
+                            "status " +
+                            std::to_string(state) + ")");
     }
     return rtt;
 }
 
-Status RenderToTexture2D::become(const Functions& gl, const Settings& settings) {
+AoStatus RenderToTexture2D::become(const Functions& gl, const Settings& settings) {
     if (*this && settings_ == settings) {
         return {};
     }

@@ -62,7 +62,7 @@ public:
 
     /// Becomes one of these settings, unless it is. May leave its framebuffer bound.
     /// Errors: as create(); it then stays what it was.
-    Status become(const Functions& gl, const Settings& settings);
+    AoStatus become(const Functions& gl, const Settings& settings);
 
     /// Directs rendering to one target, or to all of them as locations 0, 1, ...; sets the
     /// viewport.
@@ -91,8 +91,8 @@ public:
     explicit operator bool() const { return static_cast<bool>(framebuffer_); }
 
 private:
-    Status addTexture(Texture& texture, GLenum attachment, GLenum internalFormat, GLenum format,
-                      GLenum type, const std::string& label);
+    AoStatus addTexture(Texture& texture, GLenum attachment, GLenum internalFormat, GLenum format,
+                        GLenum type, const std::string& label);
     void bindTextureName(GLuint name, int unit) const;
 
     const Functions* gl_ = nullptr;

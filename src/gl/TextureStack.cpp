@@ -10,12 +10,12 @@ Result<TextureStack> TextureStack::create(const Functions& gl, const Settings& s
     if (settings.width < 1 || settings.height < 1 || settings.layers < 1 ||
         settings.width > limit || settings.height > limit ||
         settings.layers > gl.capabilities.maxTextureLayers) {
-        return Status(StatusCode::MissingCapability,
-                      settings.label + ": " + std::to_string(settings.layers) + " layers of " +
-                          std::to_string(settings.width) + " x " + std::to_string(settings.height) +
-                          " texels; this context allows " +
-                          std::to_string(gl.capabilities.maxTextureLayers) + " of up to " +
-                          std::to_string(limit));
+        return AoStatus(StatusCode::MissingCapability,
+                        settings.label + ": " + std::to_string(settings.layers) + " layers of " +
+                            std::to_string(settings.width) + " x " +
+                            std::to_string(settings.height) + " texels; this context allows " +
+                            std::to_string(gl.capabilities.maxTextureLayers) + " of up to " +
+                            std::to_string(limit));
     }
     TextureStack stack;
     stack.gl_ = &gl;
@@ -23,7 +23,7 @@ Result<TextureStack> TextureStack::create(const Functions& gl, const Settings& s
     stack.texture_ = generate<Texture>(gl, &Functions::GenTextures);
     stack.framebuffer_ = generate<Framebuffer>(gl, &Functions::GenFramebuffers);
     if (!stack.texture_ || !stack.framebuffer_) {
-        return Status(StatusCode::OutOfMemory, settings.label + ": GL gave no name");
+        return AoStatus(StatusCode::OutOfMemory, settings.label + ": GL gave no name");
     }
     const TexelFormat texel = texelFormat(settings.format);
     stack.bind(0);
@@ -36,20 +36,20 @@ Result<TextureStack> TextureStack::create(const Functions& gl, const Settings& s
     GLint width = 0;
     gl.GetTexLevelParameteriv(GL_TEXTURE_2D_ARRAY, 0, GL_TEXTURE_WIDTH, &width);
     if (width != settings.width) {
-        return Status(StatusCode::OutOfMemory, settings.label + ": no memory for " +
-                                                   std::to_string(settings.layers) + " layers of " +
-                                                   std::to_string(settings.width) + " x " +
-                                                   std::to_string(settings.height) + " texels");
+        return AoStatus(StatusCode::OutOfMemory,
+                        settings.label + ": no memory for " + std::to_string(settings.layers) +
+                            " layers of " + std::to_string(settings.width) + " x " +
+                            std::to_string(settings.height) + " texels");
     }
     stack.begin(0);
     gl::label(gl, GL_FRAMEBUFFER, stack.framebuffer_.name(), settings.label);
     if (const GLenum state = gl.CheckFramebufferStatus(GL_FRAMEBUFFER);
         state != GL_FRAMEBUFFER_COMPLETE) {
-        return Status(StatusCode::MissingCapability,
-                      settings.label +
-                          ": this driver cannot render to layers of this format "
-                          "(framebuffer status " +
-                          std::to_string(state) + ")");
+        return AoStatus(StatusCode::MissingCapability,
+                        settings.label +
+                            ": this driver cannot render to layers of this format "
+                            "(framebuffer status " +
+                            std::to_string(state) + ")");
     }
     return stack;
 }

@@ -9,7 +9,7 @@ Result<VertexArray> VertexArray::createEmpty(const Functions& gl, const std::str
     array.gl_ = &gl;
     array.name_ = generate<VertexArrayName>(gl, &Functions::GenVertexArrays);
     if (!array.name_) {
-        return Status(StatusCode::OutOfMemory, label + ": GL gave no vertex array name");
+        return AoStatus(StatusCode::OutOfMemory, label + ": GL gave no vertex array name");
     }
     gl.BindVertexArray(array.name_.name());
     gl::label(gl, GL_VERTEX_ARRAY, array.name_.name(), label);
@@ -23,7 +23,7 @@ Result<VertexArray> VertexArray::createTriangles(const Functions& gl, const Tria
         return created;
     }
     VertexArray& array = *created;
-    Status status;
+    AoStatus status;
     const auto fill = [&](Buffer& buffer, GLenum target, auto content, const char* part) {
         if (!status || content.empty()) {
             return;

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int mostRows = 128;
 
-Status check(const ConeTableOptions& options) {
+AoStatus check(const ConeTableOptions& options) {
     if (options.columns < 4 || options.columns > 1024 || options.rows < 2 || options.rows > 512 ||
         options.apertures < 2 || options.apertures > 64) {
         return {StatusCode::InvalidOption,
@@ -34,10 +34,10 @@ Status check(const ConeTableOptions& options) {
 } // namespace
 
 Result<ConeTable> ConeTable::create(const EnvironmentMap& map, const ConeTableOptions& options) {
-    if (Status status = check(options); !status) {
+    if (AoStatus status = check(options); !status) {
         return status;
     }
-    if (Status status = checkEnvironment(map); !status) {
+    if (AoStatus status = checkEnvironment(map); !status) {
         return status;
     }
     const EnvironmentMap source = reduced(map, mostRows);

@@ -26,9 +26,9 @@ Result<EnvironmentLight> EnvironmentLight::create(const ProcAddressLoader& loade
                                                   const EnvironmentMap& map,
                                                   const EnvironmentLightOptions& options) {
     if (options.angles && (options.anglesSize < 1 || options.anglesSize > 4096)) {
-        return Status(StatusCode::InvalidOption, "anglesSize is " +
-                                                     std::to_string(options.anglesSize) +
-                                                     ", must be 1 to 4096");
+        return AoStatus(StatusCode::InvalidOption, "anglesSize is " +
+                                                       std::to_string(options.anglesSize) +
+                                                       ", must be 1 to 4096");
     }
     try {
         const Result<ConeTable> cones = ConeTable::create(map, options.cones);
@@ -48,7 +48,7 @@ Result<EnvironmentLight> EnvironmentLight::create(const ProcAddressLoader& loade
             }
             return made.status();
         };
-        if (Status status = put(uploadCones(content->gl, *cones), content->cones); !status) {
+        if (AoStatus status = put(uploadCones(content->gl, *cones), content->cones); !status) {
             return status;
         }
         if (options.sectors) {
@@ -56,23 +56,24 @@ Result<EnvironmentLight> EnvironmentLight::create(const ProcAddressLoader& loade
             if (!sectors) {
                 return sectors.status();
             }
-            if (Status status = put(uploadSectors(content->gl, *sectors), content->sectors);
+            if (AoStatus status = put(uploadSectors(content->gl, *sectors), content->sectors);
                 !status) {
                 return status;
             }
         }
-        if (Status status = put(uploadMap(content->gl, map), content->map); !status) {
+        if (AoStatus status = put(uploadMap(content->gl, map), content->map); !status) {
             return status;
         }
         if (options.angles) {
-            if (Status status = put(uploadAngles(content->gl, options.anglesSize), content->angles);
+            if (AoStatus status =
+                    put(uploadAngles(content->gl, options.anglesSize), content->angles);
                 !status) {
                 return status;
             }
         }
         return EnvironmentLight(std::move(content));
     } catch (const std::bad_alloc&) {
-        return Status(StatusCode::OutOfMemory, "no memory left for the environment");
+        return AoStatus(StatusCode::OutOfMemory, "no memory left for the environment");
     }
 }
 

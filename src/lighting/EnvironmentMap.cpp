@@ -54,7 +54,7 @@ EnvironmentMap turned(const EnvironmentMap& map, float turn) {
     return result;
 }
 
-Status checkEnvironment(const EnvironmentMap& map) {
+AoStatus checkEnvironment(const EnvironmentMap& map) {
     if (map.width < 1 || map.width > mostTexels || map.height < 1 || map.height > mostTexels) {
         return {StatusCode::InvalidOption, "an environment of " + std::to_string(map.width) +
                                                " x " + std::to_string(map.height) +

@@ -28,7 +28,7 @@ std::vector<glm::vec3> cut(const std::vector<glm::vec3>& radiance) {
 Result<LightTexture> named(const gl::Functions& gl, GLenum target, const std::string& label) {
     LightTexture made{gl::generate<gl::Texture>(gl, &gl::Functions::GenTextures), 0};
     if (!made.texture) {
-        return Status(StatusCode::OutOfMemory, label + ": GL gave no name");
+        return AoStatus(StatusCode::OutOfMemory, label + ": GL gave no name");
     }
     gl.ActiveTexture(GL_TEXTURE0);
     gl.BindTexture(target, made.texture.name());
@@ -45,8 +45,8 @@ void setSampling(const gl::Functions& gl, GLenum target, GLint minFilter, GLint 
 }
 
 /// Whether GL had memory for a level, or for a cube map's face.
-Status checkWidth(const gl::Functions& gl, GLenum target, int level, int wanted,
-                  const std::string& label) {
+AoStatus checkWidth(const gl::Functions& gl, GLenum target, int level, int wanted,
+                    const std::string& label) {
     GLint width = 0;
     gl.GetTexLevelParameteriv(target, level, GL_TEXTURE_WIDTH, &width);
     if (width != wanted) {
@@ -74,7 +74,7 @@ glm::vec3 cubeTexelDirection(int face, const glm::vec2& at) {
     }
 }
 
-Status tooLarge(const std::string& label, int width, int height, int limit) {
+AoStatus tooLarge(const std::string& label, int width, int height, int limit) {
     return {StatusCode::MissingCapability,
             label + " has " + std::to_string(width) + " x " + std::to_string(height) +
                 " texels; this context allows " + std::to_string(limit)};
@@ -95,7 +95,7 @@ Result<LightTexture> uploadLayers(const gl::Functions& gl, const std::string& la
                   cut(values).data());
     setSampling(gl, GL_TEXTURE_2D_ARRAY, GL_LINEAR, 0);
     made->bytes = values.size() * bytesOfHalves;
-    if (Status status = checkWidth(gl, GL_TEXTURE_2D_ARRAY, 0, size.x, label); !status) {
+    if (AoStatus status = checkWidth(gl, GL_TEXTURE_2D_ARRAY, 0, size.x, label); !status) {
         return status;
     }
     return made;
@@ -132,7 +132,7 @@ Result<LightTexture> uploadMap(const gl::Functions& gl, const EnvironmentMap& ma
         const std::vector<glm::vec3> values = cut(level.radiance);
         gl.TexImage2D(GL_TEXTURE_2D, number, GL_RGB16F, level.width, level.height, 0, GL_RGB,
                       GL_FLOAT, values.data());
-        if (Status status = checkWidth(gl, GL_TEXTURE_2D, number, level.width, label); !status) {
+        if (AoStatus status = checkWidth(gl, GL_TEXTURE_2D, number, level.width, label); !status) {
             return status;
         }
         made->bytes += values.size() * bytesOfHalves;
@@ -156,7 +156,7 @@ Result<LightTexture> uploadAngles(const gl::Functions& gl, int size) {
     }
     std::vector<std::uint8_t> texels(2U * static_cast<std::size_t>(size) *
                                      static_cast<std::size_t>(size));
-    Status status;
+    AoStatus status;
     for (int face = 0; face < 6 && status; ++face) {
         std::size_t texel = 0;
         for (int y = 0; y < size; ++y) {

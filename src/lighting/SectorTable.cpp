@@ -20,7 +20,7 @@ namespace {
 
 constexpr int mostSectorRows = 128;
 
-Status check(const SectorTableOptions& options) {
+AoStatus check(const SectorTableOptions& options) {
     if (options.columns < 4 || options.columns > 256 || options.rows < 2 || options.rows > 256) {
         return {StatusCode::InvalidOption, "a sector table of " + std::to_string(options.columns) +
                                                " x " + std::to_string(options.rows) +
@@ -48,10 +48,10 @@ int sectorOfDirection(const glm::vec3& direction) {
 
 Result<SectorTable> SectorTable::create(const EnvironmentMap& map,
                                         const SectorTableOptions& options) {
-    if (Status status = check(options); !status) {
+    if (AoStatus status = check(options); !status) {
         return status;
     }
-    if (Status status = checkEnvironment(map); !status) {
+    if (AoStatus status = checkEnvironment(map); !status) {
         return status;
     }
     const EnvironmentMap source = reduced(map, mostSectorRows);

@@ -83,14 +83,15 @@ Result<std::unique_ptr<DebugLog>> DebugLog::install(const ProcAddressLoader& loa
     slot->disable = reinterpret_cast<PFNGLDISABLEPROC>(loader("glDisable"));
     if (getIntegerv == nullptr || isEnabled == nullptr || slot->enable == nullptr ||
         slot->disable == nullptr) {
-        return Status(StatusCode::NoContext, "The loader does not know glGetIntegerv, glIsEnabled, "
-                                             "glEnable and glDisable.");
+        return AoStatus(StatusCode::NoContext,
+                        "The loader does not know glGetIntegerv, glIsEnabled, "
+                        "glEnable and glDisable.");
     }
     const auto getStringi = reinterpret_cast<PFNGLGETSTRINGIPROC>(loader("glGetStringi"));
     if (slot->setCallback == nullptr || control == nullptr || getPointerv == nullptr ||
         !hasDebug(getIntegerv, getStringi)) {
-        return Status(StatusCode::MissingCapability,
-                      "The context has neither OpenGL 4.3 nor GL_KHR_debug.");
+        return AoStatus(StatusCode::MissingCapability,
+                        "The context has neither OpenGL 4.3 nor GL_KHR_debug.");
     }
     slot->outputWasOn = isEnabled(GL_DEBUG_OUTPUT) == GL_TRUE;
     slot->synchronousWasOn = isEnabled(GL_DEBUG_OUTPUT_SYNCHRONOUS) == GL_TRUE;

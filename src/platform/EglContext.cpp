@@ -29,16 +29,16 @@ public:
     std::string platformName() const override { return display_.name(); }
 
 protected:
-    Status bind() override;
+    AoStatus bind() override;
     bool isBound() const override;
     ReleaseFunction releaseFunction() const override { return releaseEgl; }
 
 private:
     explicit EglContext(EglDisplay display) : display_(std::move(display)) {}
-    Status chooseConfig(const ContextRequest& request);
-    Status createContext(const ContextRequest& request);
-    Status createSurface(const ContextRequest& request);
-    Status failure(const std::string& what) const;
+    AoStatus chooseConfig(const ContextRequest& request);
+    AoStatus createContext(const ContextRequest& request);
+    AoStatus createSurface(const ContextRequest& request);
+    AoStatus failure(const std::string& what) const;
 
     EglDisplay display_;
     EGLConfig config_ = nullptr;
@@ -59,27 +59,27 @@ Result<std::unique_ptr<GlContext>> EglContext::create(const EglPlatform& platfor
     if (eglBindAPI(EGL_OPENGL_API) == EGL_FALSE) {
         return made->failure("it has no OpenGL");
     }
-    if (Status status = made->chooseConfig(request); !status.ok()) {
+    if (AoStatus status = made->chooseConfig(request); !status.ok()) {
         return status;
     }
-    if (Status status = made->createContext(request); !status.ok()) {
+    if (AoStatus status = made->createContext(request); !status.ok()) {
         return status;
     }
-    if (Status status = made->createSurface(request); !status.ok()) {
+    if (AoStatus status = made->createSurface(request); !status.ok()) {
         return status;
     }
-    if (Status status = made->makeCurrent(); !status.ok()) {
+    if (AoStatus status = made->makeCurrent(); !status.ok()) {
         return status;
     }
     return std::unique_ptr<GlContext>(std::move(made));
 }
 
-Status EglContext::failure(const std::string& what) const {
+AoStatus EglContext::failure(const std::string& what) const {
     return {StatusCode::NoContext,
             display_.name() + ": " + what + " (" + eglErrorName(eglGetError()) + ")."};
 }
 
-Status EglContext::chooseConfig(const ContextRequest& request) {
+AoStatus EglContext::chooseConfig(const ContextRequest& request) {
     const bool framebuffer = request.defaultFramebuffer;
     const EGLint attributes[] = {EGL_RENDERABLE_TYPE,
                                  EGL_OPENGL_BIT,
@@ -113,7 +113,7 @@ Status EglContext::chooseConfig(const ContextRequest& request) {
     return {};
 }
 
-Status EglContext::createContext(const ContextRequest& request) {
+AoStatus EglContext::createContext(const ContextRequest& request) {
     const bool core = request.profile == ContextRequest::Profile::Core;
     // EGL 1.4 knows the same things under EGL_KHR_create_context, all but the debug flag by the
     // same numbers.
@@ -141,7 +141,7 @@ Status EglContext::createContext(const ContextRequest& request) {
     return {};
 }
 
-Status EglContext::createSurface(const ContextRequest& request) {
+AoStatus EglContext::createSurface(const ContextRequest& request) {
     if (!needsSurface_) {
         return {};
     }
@@ -167,7 +167,7 @@ EglContext::~EglContext() {
     }
 }
 
-Status EglContext::bind() {
+AoStatus EglContext::bind() {
     eglBindAPI(EGL_OPENGL_API); // the choice is per thread, and this may be a new one
     if (eglMakeCurrent(display_.handle(), surface_, surface_, context_) == EGL_FALSE) {
         return failure("eglMakeCurrent failed");
@@ -194,7 +194,7 @@ Result<std::unique_ptr<GlContext>> createEglContext(const ContextRequest& reques
         }
         reasons += " " + made.status().message();
     }
-    return Status(StatusCode::NoContext, "EGL gave no context." + reasons);
+    return AoStatus(StatusCode::NoContext, "EGL gave no context." + reasons);
 }
 
 } // namespace aolib

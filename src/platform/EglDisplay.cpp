@@ -21,12 +21,12 @@ Result<EglDisplay> EglDisplay::open(const EglPlatform& platform) {
     display.name_ = platform.name;
     display.handle_ = getDisplay(platform);
     if (display.handle_ == EGL_NO_DISPLAY) {
-        return Status(StatusCode::NoContext, platform.name + ": there is no such display (" +
-                                                 eglErrorName(eglGetError()) + ").");
+        return AoStatus(StatusCode::NoContext, platform.name + ": there is no such display (" +
+                                                   eglErrorName(eglGetError()) + ").");
     }
     if (eglInitialize(display.handle_, &display.major_, &display.minor_) == EGL_FALSE) {
-        return Status(StatusCode::NoContext, platform.name + ": eglInitialize failed (" +
-                                                 eglErrorName(eglGetError()) + ").");
+        return AoStatus(StatusCode::NoContext, platform.name + ": eglInitialize failed (" +
+                                                   eglErrorName(eglGetError()) + ").");
     }
     return display;
 }

@@ -46,9 +46,9 @@ Result<std::vector<EglPlatform>> pickDevice(const std::vector<EglPlatform>& devi
     std::size_t index = 0;
     const auto [end, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), index);
     if (error != std::errc() || end != wanted.data() + wanted.size() || index >= devices.size()) {
-        return Status(StatusCode::InvalidOption,
-                      "AOLIB_EGL_DEVICE is \"" + std::string(wanted) + "\", but EGL lists " +
-                          std::to_string(devices.size()) + " devices, counted from 0.");
+        return AoStatus(StatusCode::InvalidOption,
+                        "AOLIB_EGL_DEVICE is \"" + std::string(wanted) + "\", but EGL lists " +
+                            std::to_string(devices.size()) + " devices, counted from 0.");
     }
     return std::vector<EglPlatform>{devices[index]};
 }

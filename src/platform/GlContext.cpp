@@ -21,7 +21,7 @@ void releaseThread() {
     }
 }
 
-Status checkRequest(const ContextRequest& request) {
+AoStatus checkRequest(const ContextRequest& request) {
     if (request.width < 1 || request.height < 1) {
         return {StatusCode::InvalidOption,
                 "A default framebuffer of " + std::to_string(request.width) + " x " +
@@ -44,7 +44,7 @@ Result<std::unique_ptr<GlContext>> createByApi(const ContextRequest& request) {
     case ContextRequest::Api::Glfw:
         return createGlfwContext(request);
     }
-    return Status(StatusCode::InvalidOption, "The request names no context API.");
+    return AoStatus(StatusCode::InvalidOption, "The request names no context API.");
 }
 
 /// GL_VERSION without the number and the profile, which describe() prints itself.
@@ -63,11 +63,11 @@ std::string driverOf(const std::string& version) {
 
 } // namespace
 
-Status GlContext::makeCurrent() {
+AoStatus GlContext::makeCurrent() {
     if (releaseCurrent != releaseFunction()) {
         releaseThread();
     }
-    Status status = bind();
+    AoStatus status = bind();
     if (status.ok()) {
         releaseCurrent = releaseFunction();
     }
@@ -84,7 +84,7 @@ bool GlContext::isCurrent() const {
     return releaseCurrent == releaseFunction() && isBound();
 }
 
-Status GlContext::readInfo(const ContextRequest& request) {
+AoStatus GlContext::readInfo(const ContextRequest& request) {
     const auto getString = reinterpret_cast<PFNGLGETSTRINGPROC>(getProcAddress("glGetString"));
     const auto getIntegerv =
         reinterpret_cast<PFNGLGETINTEGERVPROC>(getProcAddress("glGetIntegerv"));
@@ -145,7 +145,7 @@ std::vector<ContextRequest::Api> availableApis() {
 }
 
 Result<std::unique_ptr<GlContext>> createContext(const ContextRequest& request) {
-    if (Status status = checkRequest(request); !status.ok()) {
+    if (AoStatus status = checkRequest(request); !status.ok()) {
         return status;
     }
     releaseThread(); // GLFW makes a new window's context current to look at it
@@ -153,10 +153,10 @@ Result<std::unique_ptr<GlContext>> createContext(const ContextRequest& request) 
     if (!made.ok()) {
         return made;
     }
-    if (Status status = (*made)->makeCurrent(); !status.ok()) {
+    if (AoStatus status = (*made)->makeCurrent(); !status.ok()) {
         return status;
     }
-    if (Status status = (*made)->readInfo(request); !status.ok()) {
+    if (AoStatus status = (*made)->readInfo(request); !status.ok()) {
         return status;
     }
     return made;
@@ -173,7 +173,7 @@ Result<std::unique_ptr<GlContext>> createOffscreenContext(ContextRequest request
     if (osMesa.ok()) {
         return osMesa;
     }
-    return Status(egl.status().code(), egl.status().message() + " " + osMesa.status().message());
+    return AoStatus(egl.status().code(), egl.status().message() + " " + osMesa.status().message());
 }
 
 } // namespace aolib

@@ -42,7 +42,7 @@ public:
     /// Makes the context current in this thread, after releasing the one that another API (EGL,
     /// OSMesa, GLFW) has made current here: drivers share a hidden slot and would mix them up.
     /// Errors: NoContext, with the API's reason.
-    Status makeCurrent();
+    AoStatus makeCurrent();
 
     /// Leaves this thread without a context, if this one was current in it; else does nothing.
     void doneCurrent();
@@ -79,13 +79,13 @@ protected:
     /// Releases whatever this API has made current in the calling thread.
     using ReleaseFunction = void (*)();
 
-    virtual Status bind() = 0;
+    virtual AoStatus bind() = 0;
     virtual bool isBound() const = 0;
     virtual ReleaseFunction releaseFunction() const = 0;
 
 private:
     friend Result<std::unique_ptr<GlContext>> createContext(const ContextRequest& request);
-    Status readInfo(const ContextRequest& request);
+    AoStatus readInfo(const ContextRequest& request);
 
     ContextInfo info_;
 };

@@ -7,9 +7,9 @@ bool glfwBuilt() {
 }
 
 Result<std::unique_ptr<GlContext>> createGlfwContext(const ContextRequest&) {
-    return Status(StatusCode::MissingCapability,
-                  "GLFW: this build is without it (AOLIB_WITH_GLFW was off, or GLFW was not "
-                  "found).");
+    return AoStatus(StatusCode::MissingCapability,
+                    "GLFW: this build is without it (AOLIB_WITH_GLFW was off, or GLFW was not "
+                    "found).");
 }
 
 } // namespace aolib

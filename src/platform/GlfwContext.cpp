@@ -14,7 +14,7 @@ void releaseGlfw() {
     glfwMakeContextCurrent(nullptr);
 }
 
-Status failure(const std::string& what) {
+AoStatus failure(const std::string& what) {
     const char* reason = nullptr;
     glfwGetError(&reason);
     return {StatusCode::NoContext,
@@ -33,7 +33,7 @@ public:
     void swapBuffers() override { glfwSwapBuffers(window_); }
 
 protected:
-    Status bind() override;
+    AoStatus bind() override;
     bool isBound() const override { return glfwGetCurrentContext() == window_; }
     ReleaseFunction releaseFunction() const override { return releaseGlfw; }
 
@@ -46,9 +46,9 @@ GlfwContext::~GlfwContext() {
     glfwDestroyWindow(window_);
 }
 
-Status GlfwContext::bind() {
+AoStatus GlfwContext::bind() {
     glfwMakeContextCurrent(window_);
-    return isBound() ? Status() : failure("glfwMakeContextCurrent failed");
+    return isBound() ? AoStatus() : failure("glfwMakeContextCurrent failed");
 }
 
 void setHints(const ContextRequest& request) {

@@ -7,9 +7,10 @@ bool osMesaBuilt() {
 }
 
 Result<std::unique_ptr<GlContext>> createOsMesaContext(const ContextRequest&) {
-    return Status(StatusCode::MissingCapability,
-                  "OSMesa: this build is without it (AOLIB_WITH_OSMESA was off, or GL/osmesa.h was "
-                  "not found).");
+    return AoStatus(
+        StatusCode::MissingCapability,
+        "OSMesa: this build is without it (AOLIB_WITH_OSMESA was off, or GL/osmesa.h was "
+        "not found).");
 }
 
 } // namespace aolib

@@ -77,7 +77,7 @@ public:
     std::string platformName() const override { return "OSMesa"; }
 
 protected:
-    Status bind() override;
+    AoStatus bind() override;
     bool isBound() const override { return osMesa().getCurrentContext() == context_; }
     ReleaseFunction releaseFunction() const override { return releaseOsMesa; }
 
@@ -93,7 +93,7 @@ OsMesaContext::~OsMesaContext() {
     osMesa().destroyContext(context_);
 }
 
-Status OsMesaContext::bind() {
+AoStatus OsMesaContext::bind() {
     if (osMesa().makeCurrent(context_, pixels_.data(), GL_UNSIGNED_BYTE, width_, height_) == 0) {
         return {StatusCode::NoContext, "OSMesa: OSMesaMakeCurrent failed for " +
                                            std::to_string(width_) + " x " +
@@ -110,13 +110,13 @@ bool osMesaBuilt() {
 
 Result<std::unique_ptr<GlContext>> createOsMesaContext(const ContextRequest& request) {
     if (!osMesa().problem.empty()) {
-        return Status(StatusCode::MissingCapability,
-                      "OSMesa: its library cannot be used." + osMesa().problem);
+        return AoStatus(StatusCode::MissingCapability,
+                        "OSMesa: its library cannot be used." + osMesa().problem);
     }
     if (request.samples > 0) {
-        return Status(StatusCode::InvalidOption, "OSMesa: its framebuffer has no samples, but " +
-                                                     std::to_string(request.samples) +
-                                                     " were asked for.");
+        return AoStatus(StatusCode::InvalidOption, "OSMesa: its framebuffer has no samples, but " +
+                                                       std::to_string(request.samples) +
+                                                       " were asked for.");
     }
     const bool core = request.profile == ContextRequest::Profile::Core;
     const std::array<int, 15> attributes{OSMESA_FORMAT,
@@ -134,7 +134,7 @@ Result<std::unique_ptr<GlContext>> createOsMesaContext(const ContextRequest& req
                                          0};
     const ::OSMesaContext context = osMesa().createContextAttribs(attributes.data(), nullptr);
     if (context == nullptr) {
-        return Status(StatusCode::NoContext, "OSMesa: no " + wantedContext(request) + ".");
+        return AoStatus(StatusCode::NoContext, "OSMesa: no " + wantedContext(request) + ".");
     }
     return std::unique_ptr<GlContext>(
         std::make_unique<OsMesaContext>(context, request.width, request.height));

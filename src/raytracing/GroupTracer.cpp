@@ -37,7 +37,7 @@ double frameLength(const RayScene& scene, Falloff falloff, float radius) {
         return double{radius} * scene.scale();
     case Falloff::Exp:
         return expReach * double{radius} * scene.scale();
-    case Falloff::None:
+    case Falloff::Off:
         break;
     }
     return std::numeric_limits<double>::infinity();

@@ -66,7 +66,7 @@ bool finite(const glm::vec3& p) {
     return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
 
-Status check(const TriangleMesh& mesh) {
+AoStatus check(const TriangleMesh& mesh) {
     if (mesh.indices.size() % 3 != 0) {
         return {StatusCode::IncompletePrimitive,
                 std::to_string(mesh.indices.size()) + " indices are not whole triangles"};
@@ -103,8 +103,8 @@ struct RayScene::Content {
     explicit Content(TriangleMesh given) : mesh(std::move(given)) { chooseFrame(); }
 
     void chooseFrame();
-    Status build(const KeepGoing& keepGoing);
-    Status failure(RTCError code) const;
+    AoStatus build(const KeepGoing& keepGoing);
+    AoStatus failure(RTCError code) const;
     bool fillGeometry(RTCGeometry geometry) const;
     std::array<glm::dvec3, 3> corners(std::uint32_t triangle) const;
     glm::dvec3 toFrame(const glm::dvec3& p) const { return (p - centre) * scale; }
@@ -140,7 +140,7 @@ std::array<glm::dvec3, 3> RayScene::Content::corners(std::uint32_t triangle) con
             glm::dvec3(mesh.positions[index[2]])};
 }
 
-Status RayScene::Content::failure(RTCError code) const {
+AoStatus RayScene::Content::failure(RTCError code) const {
     if (code == RTC_ERROR_UNSUPPORTED_CPU) {
         return {StatusCode::MissingCapability, "Embree does not run on this processor"};
     }
@@ -168,7 +168,7 @@ bool RayScene::Content::fillGeometry(RTCGeometry geometry) const {
     return true;
 }
 
-Status RayScene::Content::build(const KeepGoing& keepGoing) {
+AoStatus RayScene::Content::build(const KeepGoing& keepGoing) {
     device.reset(rtcNewDevice(nullptr));
     if (!device) {
         return failure(rtcGetDeviceError(nullptr));
@@ -201,7 +201,7 @@ Status RayScene::Content::build(const KeepGoing& keepGoing) {
     rtcCommitScene(scene.get());
     rtcSetSceneProgressMonitorFunction(scene.get(), nullptr, nullptr);
     const RTCError code = rtcGetDeviceError(device.get());
-    return code == RTC_ERROR_NONE ? Status() : failure(code);
+    return code == RTC_ERROR_NONE ? AoStatus() : failure(code);
 }
 
 RayScene::RayScene(std::unique_ptr<Content> content) : content_(std::move(content)) {}
@@ -210,11 +210,11 @@ RayScene& RayScene::operator=(RayScene&&) noexcept = default;
 RayScene::~RayScene() = default;
 
 Result<RayScene> RayScene::create(TriangleMesh mesh, const KeepGoing& keepGoing) {
-    if (Status status = check(mesh); !status) {
+    if (AoStatus status = check(mesh); !status) {
         return status;
     }
     auto content = std::make_unique<Content>(std::move(mesh));
-    if (Status status = content->build(keepGoing); !status) {
+    if (AoStatus status = content->build(keepGoing); !status) {
         return status;
     }
     return RayScene(std::move(content));

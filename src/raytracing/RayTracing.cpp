@@ -23,9 +23,9 @@ int spareCores() {
 
 Result<std::unique_ptr<AbstractTexelTracer>> createTexelTracer(int threads) {
     if (threads < 0 || threads > mostThreads) {
-        return Status(StatusCode::InvalidOption, "threads is " + std::to_string(threads) +
-                                                     ", must be 0 to " +
-                                                     std::to_string(mostThreads));
+        return AoStatus(StatusCode::InvalidOption, "threads is " + std::to_string(threads) +
+                                                       ", must be 0 to " +
+                                                       std::to_string(mostThreads));
     }
     try {
         if (const Result<RayScene> probe = RayScene::create({}); !probe) {
@@ -34,7 +34,7 @@ Result<std::unique_ptr<AbstractTexelTracer>> createTexelTracer(int threads) {
         return std::unique_ptr<AbstractTexelTracer>(
             std::make_unique<TexelTracer>(threads == 0 ? spareCores() : threads));
     } catch (const std::bad_alloc&) {
-        return Status(StatusCode::OutOfMemory, "no memory left for a texel tracer");
+        return AoStatus(StatusCode::OutOfMemory, "no memory left for a texel tracer");
     }
 }
 

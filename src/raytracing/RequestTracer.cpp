@@ -26,11 +26,11 @@ bool within(int begin, int count, int end) {
     return begin >= 0 && count >= 1 && begin < end && count <= end - begin;
 }
 
-Status invalid(const std::string& what) {
+AoStatus invalid(const std::string& what) {
     return {StatusCode::InvalidOption, "a request for texels: " + what};
 }
 
-Status checkPlaces(const TexelRequest& request) {
+AoStatus checkPlaces(const TexelRequest& request) {
     if (request.faceSize < 1 || request.faceSize > largestFace) {
         return invalid("face size is " + std::to_string(request.faceSize) + ", must be 1 to 65536");
     }
@@ -48,7 +48,7 @@ bool isFinite(const glm::vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-Status checkSights(const TexelRequest& request) {
+AoStatus checkSights(const TexelRequest& request) {
     const auto texels = static_cast<std::size_t>(std::max(request.width, 0)) *
                         static_cast<std::size_t>(std::max(request.height, 0));
     if (request.sights.size() != texels) {
@@ -199,7 +199,7 @@ bool RequestTracer::traceGroup() {
 
 } // namespace
 
-Status checkRequest(const TexelRequest& request) {
+AoStatus checkRequest(const TexelRequest& request) {
     if (!isFinite(request.centre)) {
         return {StatusCode::InvalidPosition,
                 "a request for texels: the centre of the cube map is not finite"};
@@ -207,7 +207,7 @@ Status checkRequest(const TexelRequest& request) {
     if (request.face < 0 || request.face > 5) {
         return invalid("face is " + std::to_string(request.face) + ", must be 0 to 5");
     }
-    const Status places = request.sights.empty() ? checkPlaces(request) : checkSights(request);
+    const AoStatus places = request.sights.empty() ? checkPlaces(request) : checkSights(request);
     if (!places) {
         return places;
     }
@@ -220,7 +220,7 @@ Status checkRequest(const TexelRequest& request) {
                        std::to_string(request.firstRay) + " on, must be 1 or more within 2^30");
     }
     const bool reaches = std::isfinite(request.radius) && request.radius > 0.0F;
-    if (request.falloff != Falloff::None && !reaches) {
+    if (request.falloff != Falloff::Off && !reaches) {
         return invalid("radius is " + std::to_string(request.radius) + ", must be above 0");
     }
     return {};

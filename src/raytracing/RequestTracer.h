@@ -10,7 +10,7 @@
 namespace aolib {
 
 /// Why a request cannot be traced: InvalidOption, InvalidPosition.
-Status checkRequest(const TexelRequest& request);
+AoStatus checkRequest(const TexelRequest& request);
 
 /// Traces a valid request; nothing when `keepGoing` said no, which it is asked after every 4096
 /// rays at the latest. Throws std::bad_alloc.

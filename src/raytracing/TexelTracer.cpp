@@ -17,7 +17,7 @@ namespace {
 constexpr double longestWait = 1e9;
 
 /// Short enough to need no memory itself.
-Status outOfMemory() {
+AoStatus outOfMemory() {
     return {StatusCode::OutOfMemory, "out of memory"};
 }
 
@@ -56,7 +56,7 @@ void TexelTracer::request(std::vector<TexelRequest> queue) {
             }
         } else {
             std::ranges::copy_if(queue, std::back_inserter(queue_), [this](const auto& request) {
-                Status status = checkRequest(request);
+                AoStatus status = checkRequest(request);
                 const bool valid = status.ok();
                 fail(std::move(status));
                 return valid;
@@ -98,13 +98,13 @@ std::size_t TexelTracer::pending() const {
     return queue_.size() + begun_ + finished_.size();
 }
 
-Status TexelTracer::status() const {
+AoStatus TexelTracer::status() const {
     const std::scoped_lock lock(mutex_);
     return status_;
 }
 
 /// Keeps the first failure. Under the lock.
-void TexelTracer::fail(Status status) {
+void TexelTracer::fail(AoStatus status) {
     if (status_.ok()) {
         status_ = std::move(status);
     }
@@ -152,7 +152,7 @@ void TexelTracer::buildScene(std::unique_lock<std::mutex>& lock, const KeepGoing
     lock.unlock();
     old.reset();
     std::shared_ptr<const RayScene> built;
-    Status status;
+    AoStatus status;
     try {
         Result<RayScene> result = RayScene::create(std::move(mesh), keepGoing);
         status = result.status();
@@ -187,7 +187,7 @@ void TexelTracer::traceNext(std::unique_lock<std::mutex>& lock, const KeepGoing&
     std::shared_ptr<const RayScene> scene = scene_;
     lock.unlock();
     std::optional<TracedTexels> traced;
-    Status status;
+    AoStatus status;
     try {
         traced = traceRequest(*scene, request, keepGoing);
     } catch (const std::bad_alloc&) {

@@ -35,7 +35,7 @@ public:
     std::vector<TracedTexels> take(std::size_t most) override;
     bool wait(double milliseconds) override;
     std::size_t pending() const override;
-    Status status() const override;
+    AoStatus status() const override;
 
 private:
     using Epoch = std::uint64_t;
@@ -46,7 +46,7 @@ private:
     void traceNext(std::unique_lock<std::mutex>& lock, const KeepGoing& keepGoing);
     bool idle() const { return queue_.empty() && begun_ == 0; }
     void startWorkers(std::size_t count);
-    void fail(Status status);
+    void fail(AoStatus status);
 
     const std::size_t threads_;
 
@@ -59,7 +59,7 @@ private:
     std::deque<TexelRequest> queue_;
     std::size_t begun_ = 0; ///< requests of the current epoch that workers are at
     std::deque<TracedTexels> finished_;
-    Status status_;
+    AoStatus status_;
     std::atomic<Epoch> epoch_{0};       ///< written under the lock
     std::vector<std::jthread> workers_; ///< last, so that they end first
 };

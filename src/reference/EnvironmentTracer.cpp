@@ -96,9 +96,9 @@ std::array<glm::dvec3, 2> LightTracer::estimate(const Receiver& receiver,
     return sums;
 }
 
-Status check(const lighting::EnvironmentMap& map, std::span<const Receiver> receivers,
-             const LightSettings& settings) {
-    if (Status status = lighting::checkEnvironment(map); !status) {
+AoStatus check(const lighting::EnvironmentMap& map, std::span<const Receiver> receivers,
+               const LightSettings& settings) {
+    if (AoStatus status = lighting::checkEnvironment(map); !status) {
         return status;
     }
     if (settings.rays < 8 || settings.rays > mostLightRays || settings.threads < 0) {
@@ -174,7 +174,7 @@ EnvironmentSampler::Sample EnvironmentSampler::at(const glm::dvec3& direction) c
 Result<LightList> traceEnvironment(const RayScene& scene, const lighting::EnvironmentMap& map,
                                    std::span<const Receiver> receivers,
                                    const LightSettings& settings, const TraceProgress& progress) {
-    if (Status status = check(map, receivers, settings); !status) {
+    if (AoStatus status = check(map, receivers, settings); !status) {
         return status;
     }
     const LightTracer tracer(scene, map, settings);

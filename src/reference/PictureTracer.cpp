@@ -32,7 +32,7 @@ bool finite(const glm::dmat4& matrix) {
     return true;
 }
 
-Status check(const PictureCamera& camera) {
+AoStatus check(const PictureCamera& camera) {
     if (camera.width < 1 || camera.width > largestSide || camera.height < 1 ||
         camera.height > largestSide) {
         return {StatusCode::InvalidCamera, "a picture of " + std::to_string(camera.width) + " x " +
@@ -130,7 +130,7 @@ void PixelTracer::trace(std::size_t pixel, Picture& picture) const {
 
 Result<Picture> tracePicture(const RayScene& scene, const PictureCamera& camera,
                              const PictureSettings& settings, const TraceProgress& progress) {
-    if (Status status = check(camera); !status) {
+    if (AoStatus status = check(camera); !status) {
         return status;
     }
     const Result<VisibilityTracer> tracer = VisibilityTracer::create(scene, settings.trace);

@@ -21,7 +21,7 @@ bool finite(const glm::dvec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-Status check(std::span<const Receiver> receivers) {
+AoStatus check(std::span<const Receiver> receivers) {
     for (std::size_t i = 0; i < receivers.size(); ++i) {
         const Receiver& receiver = receivers[i];
         if (!finite(receiver.position) || !std::isfinite(receiver.lift)) {
@@ -45,17 +45,18 @@ VisibilityTracer::VisibilityTracer(const RayScene& scene, const TraceSettings& s
 Result<VisibilityTracer> VisibilityTracer::create(const RayScene& scene,
                                                   const TraceSettings& settings) {
     if (settings.rays < 2 || settings.rays > mostRays) {
-        return Status(StatusCode::InvalidOption, "rays is " + std::to_string(settings.rays) +
-                                                     ", must be 2 to " + std::to_string(mostRays));
+        return AoStatus(StatusCode::InvalidOption, "rays is " + std::to_string(settings.rays) +
+                                                       ", must be 2 to " +
+                                                       std::to_string(mostRays));
     }
-    if (settings.falloff != Falloff::None &&
+    if (settings.falloff != Falloff::Off &&
         !(settings.radius > 0.0 && std::isfinite(settings.radius))) {
-        return Status(StatusCode::InvalidOption,
-                      "radius is " + std::to_string(settings.radius) + ", must be above 0");
+        return AoStatus(StatusCode::InvalidOption,
+                        "radius is " + std::to_string(settings.radius) + ", must be above 0");
     }
     if (settings.threads < 0) {
-        return Status(StatusCode::InvalidOption,
-                      "threads is " + std::to_string(settings.threads) + ", must be 0 or more");
+        return AoStatus(StatusCode::InvalidOption,
+                        "threads is " + std::to_string(settings.threads) + ", must be 0 or more");
     }
     return VisibilityTracer(scene, settings);
 }
@@ -65,7 +66,7 @@ double VisibilityTracer::occlusion(const glm::dvec3& origin, const glm::dvec3& d
     switch (settings_.falloff) {
     case Falloff::Step:
         return scene_->occluded(origin, direction, 0.0, settings_.radius) ? 1.0 : 0.0;
-    case Falloff::None:
+    case Falloff::Off:
         return scene_->occluded(origin, direction, 0.0, infinity) ? 1.0 : 0.0;
     case Falloff::Exp:
         break;
@@ -104,7 +105,7 @@ VisibilityEstimate VisibilityTracer::estimate(const Receiver& receiver, std::uin
 
 Result<VisibilityList> VisibilityTracer::trace(std::span<const Receiver> receivers,
                                                const TraceProgress& progress) const {
-    if (Status status = check(receivers); !status) {
+    if (AoStatus status = check(receivers); !status) {
         return status;
     }
     VisibilityList list;

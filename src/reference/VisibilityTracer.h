@@ -19,7 +19,7 @@ namespace aolib {
 /// many.
 struct TraceSettings {
     int rays = 1024;                 ///< per receiver, 2 to 2^24
-    double radius = 1.0;             ///< world units, above 0; `Falloff::None` ignores it
+    double radius = 1.0;             ///< world units, above 0; `Falloff::Off` ignores it
     Falloff falloff = Falloff::Step; ///< weight of a hit by its distance
     std::uint64_t seed = 0;          ///< another seed, another noise
     int threads = 0;                 ///< workers, 0 takes one per core; does not change the result

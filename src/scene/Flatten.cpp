@@ -6,7 +6,7 @@ namespace aolib {
 
 namespace {
 
-Status incomplete(const char* primitive, const char* rule, std::size_t count) {
+AoStatus incomplete(const char* primitive, const char* rule, std::size_t count) {
     return {StatusCode::IncompletePrimitive, std::string(primitive) + " needs " + rule +
                                                  "; this run has " + std::to_string(count) +
                                                  " indices"};
@@ -14,8 +14,8 @@ Status incomplete(const char* primitive, const char* rule, std::size_t count) {
 
 } // namespace
 
-Status flatten(AoPrimitive primitive, std::span<const std::uint32_t> run,
-               std::vector<std::uint32_t>& triangles) {
+AoStatus flatten(AoPrimitive primitive, std::span<const std::uint32_t> run,
+                 std::vector<std::uint32_t>& triangles) {
     const std::size_t n = run.size();
     const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
         triangles.insert(triangles.end(), {run[a], run[b], run[c]});

@@ -13,7 +13,7 @@ namespace aolib {
 /// figure 4.18). A quad a b c d becomes a b c, a c d; every other triangle of a strip is turned
 /// round. Errors: IncompletePrimitive (nothing is appended), InvalidPrimitive. An empty run is no
 /// error.
-Status flatten(AoPrimitive primitive, std::span<const std::uint32_t> run,
-               std::vector<std::uint32_t>& triangles);
+AoStatus flatten(AoPrimitive primitive, std::span<const std::uint32_t> run,
+                 std::vector<std::uint32_t>& triangles);
 
 } // namespace aolib

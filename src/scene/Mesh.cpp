@@ -16,7 +16,7 @@ std::string text(const glm::vec3& v) {
 
 } // namespace
 
-Status checkTransform(const glm::mat4& transform) {
+AoStatus checkTransform(const glm::mat4& transform) {
     for (int column = 0; column < 4; ++column) {
         for (int row = 0; row < 4; ++row) {
             if (!std::isfinite(transform[column][row])) {
@@ -31,50 +31,50 @@ Status checkTransform(const glm::mat4& transform) {
 
 Result<Mesh> makeMesh(const MeshData& data) {
     if (data.positions.empty() || data.indices.empty()) {
-        return Status(StatusCode::EmptyMesh, "a mesh needs vertices and triangles; this one has " +
-                                                 std::to_string(data.positions.size()) +
-                                                 " vertices and " +
-                                                 std::to_string(data.indices.size()) + " indices");
+        return AoStatus(StatusCode::EmptyMesh,
+                        "a mesh needs vertices and triangles; this one has " +
+                            std::to_string(data.positions.size()) + " vertices and " +
+                            std::to_string(data.indices.size()) + " indices");
     }
     if (data.indices.size() % 3 != 0) {
-        return Status(StatusCode::IncompletePrimitive, "triangles need three indices each; " +
-                                                           std::to_string(data.indices.size()) +
-                                                           " is no multiple of three");
+        return AoStatus(StatusCode::IncompletePrimitive, "triangles need three indices each; " +
+                                                             std::to_string(data.indices.size()) +
+                                                             " is no multiple of three");
     }
     if (!data.normals.empty() && data.normals.size() != data.positions.size()) {
-        return Status(StatusCode::InvalidNormal,
-                      std::to_string(data.normals.size()) + " normals for " +
-                          std::to_string(data.positions.size()) + " positions");
+        return AoStatus(StatusCode::InvalidNormal,
+                        std::to_string(data.normals.size()) + " normals for " +
+                            std::to_string(data.positions.size()) + " positions");
     }
-    if (Status status = checkTransform(data.transform); !status) {
+    if (AoStatus status = checkTransform(data.transform); !status) {
         return status;
     }
     Mesh mesh;
     for (std::size_t i = 0; i < data.positions.size(); ++i) {
         if (!isFinite(data.positions[i])) {
-            return Status(StatusCode::InvalidPosition,
-                          "position " + std::to_string(i) + " is " + text(data.positions[i]));
+            return AoStatus(StatusCode::InvalidPosition,
+                            "position " + std::to_string(i) + " is " + text(data.positions[i]));
         }
         mesh.modelBounds.include(data.positions[i]);
     }
     for (std::size_t i = 0; i < data.normals.size(); ++i) {
         if (!isFinite(data.normals[i])) {
-            return Status(StatusCode::InvalidNormal,
-                          "normal " + std::to_string(i) + " is " + text(data.normals[i]));
+            return AoStatus(StatusCode::InvalidNormal,
+                            "normal " + std::to_string(i) + " is " + text(data.normals[i]));
         }
     }
     for (std::size_t i = 0; i < data.indices.size(); ++i) {
         if (data.indices[i] >= data.positions.size()) {
-            return Status(StatusCode::InvalidIndex,
-                          "index " + std::to_string(i) + " is " + std::to_string(data.indices[i]) +
-                              ", the mesh has " + std::to_string(data.positions.size()) +
-                              " vertices");
+            return AoStatus(StatusCode::InvalidIndex,
+                            "index " + std::to_string(i) + " is " +
+                                std::to_string(data.indices[i]) + ", the mesh has " +
+                                std::to_string(data.positions.size()) + " vertices");
         }
     }
     mesh.transform = data.transform;
     if (const Bounds world = mesh.worldBounds(); !isFinite(world.min) || !isFinite(world.max)) {
-        return Status(StatusCode::InvalidPosition,
-                      "the transform takes the mesh beyond the range of finite numbers");
+        return AoStatus(StatusCode::InvalidPosition,
+                        "the transform takes the mesh beyond the range of finite numbers");
     }
     mesh.positions.assign(data.positions.begin(), data.positions.end());
     mesh.normals.assign(data.normals.begin(), data.normals.end());

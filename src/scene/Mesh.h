@@ -30,6 +30,6 @@ struct Mesh {
 Result<Mesh> makeMesh(const MeshData& data);
 
 /// Ok if every element of the matrix is finite. Errors: InvalidPosition.
-Status checkTransform(const glm::mat4& transform);
+AoStatus checkTransform(const glm::mat4& transform);
 
 } // namespace aolib

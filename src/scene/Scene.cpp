@@ -61,12 +61,12 @@ MeshId Scene::add(Mesh mesh) {
     return id;
 }
 
-Status Scene::unknown(MeshId id) const {
+AoStatus Scene::unknown(MeshId id) const {
     return {StatusCode::UnknownMesh,
             "no mesh has the id " + std::to_string(static_cast<std::uint32_t>(id))};
 }
 
-Status Scene::replace(MeshId id, Mesh mesh) {
+AoStatus Scene::replace(MeshId id, Mesh mesh) {
     const auto found = meshes_.find(id);
     if (found == meshes_.end()) {
         return unknown(id);
@@ -79,12 +79,12 @@ Status Scene::replace(MeshId id, Mesh mesh) {
     return {};
 }
 
-Status Scene::move(MeshId id, const glm::mat4& transform) {
+AoStatus Scene::move(MeshId id, const glm::mat4& transform) {
     const auto found = meshes_.find(id);
     if (found == meshes_.end()) {
         return unknown(id);
     }
-    if (Status status = checkTransform(transform); !status) {
+    if (AoStatus status = checkTransform(transform); !status) {
         return status;
     }
     const Bounds after = transformed(found->second.modelBounds, transform);
@@ -100,7 +100,7 @@ Status Scene::move(MeshId id, const glm::mat4& transform) {
     return {};
 }
 
-Status Scene::remove(MeshId id) {
+AoStatus Scene::remove(MeshId id) {
     const auto found = meshes_.find(id);
     if (found == meshes_.end()) {
         return unknown(id);

@@ -14,9 +14,9 @@ class Scene {
 public:
     MeshId add(Mesh mesh);
     /// Errors: UnknownMesh.
-    Status replace(MeshId id, Mesh mesh);
-    Status move(MeshId id, const glm::mat4& transform);
-    Status remove(MeshId id);
+    AoStatus replace(MeshId id, Mesh mesh);
+    AoStatus move(MeshId id, const glm::mat4& transform);
+    AoStatus remove(MeshId id);
 
     const std::map<MeshId, Mesh>& meshes() const { return meshes_; }
     /// Whether there is nothing: no mesh, and nothing that the host draws.
@@ -49,7 +49,7 @@ public:
     std::vector<Change> takeChanges();
 
 private:
-    Status unknown(MeshId id) const;
+    AoStatus unknown(MeshId id) const;
     void update();
 
     std::map<MeshId, Mesh> meshes_;

@@ -7,18 +7,18 @@
 
 namespace aolib {
 
-Status SceneBuilder::refuse(const char* call, const char* instead) const {
+AoStatus SceneBuilder::refuse(const char* call, const char* instead) const {
     return {StatusCode::InvalidCallOrder, std::string(call) + " is not allowed here: " + instead};
 }
 
-Status SceneBuilder::fail(Status status) {
+AoStatus SceneBuilder::fail(AoStatus status) {
     if (failure_.ok()) {
         failure_ = status;
     }
     return status;
 }
 
-Status SceneBuilder::begin() {
+AoStatus SceneBuilder::begin() {
     if (state_ != State::Idle) {
         return refuse("meshBegin", "end the mesh that was begun with meshEnd first");
     }
@@ -27,7 +27,7 @@ Status SceneBuilder::begin() {
     return {};
 }
 
-Status SceneBuilder::normal(const glm::vec3& normal) {
+AoStatus SceneBuilder::normal(const glm::vec3& normal) {
     if (state_ != State::Mesh) {
         return refuse("aoNormal3f", "call it between meshBegin and aoBegin");
     }
@@ -44,7 +44,7 @@ Status SceneBuilder::normal(const glm::vec3& normal) {
     return {};
 }
 
-Status SceneBuilder::vertex(const glm::vec3& position) {
+AoStatus SceneBuilder::vertex(const glm::vec3& position) {
     if (state_ != State::Mesh) {
         return refuse("aoVertex3f", "call it between meshBegin and aoBegin");
     }
@@ -59,7 +59,7 @@ Status SceneBuilder::vertex(const glm::vec3& position) {
     return {};
 }
 
-Status SceneBuilder::beginRun(AoPrimitive primitive) {
+AoStatus SceneBuilder::beginRun(AoPrimitive primitive) {
     if (state_ != State::Mesh) {
         return refuse("aoBegin", "call it between meshBegin and meshEnd, one run at a time");
     }
@@ -73,7 +73,7 @@ Status SceneBuilder::beginRun(AoPrimitive primitive) {
     return {};
 }
 
-Status SceneBuilder::index(std::uint32_t index) {
+AoStatus SceneBuilder::index(std::uint32_t index) {
     if (state_ != State::Run) {
         return refuse("aoVertexIndex", "call it between aoBegin and aoEnd");
     }
@@ -86,12 +86,12 @@ Status SceneBuilder::index(std::uint32_t index) {
     return {};
 }
 
-Status SceneBuilder::endRun() {
+AoStatus SceneBuilder::endRun() {
     if (state_ != State::Run) {
         return refuse("aoEnd", "call aoBegin first");
     }
     state_ = State::Mesh;
-    if (Status status = flatten(primitive_, run_, triangles_); !status) {
+    if (AoStatus status = flatten(primitive_, run_, triangles_); !status) {
         return fail(std::move(status));
     }
     return {};

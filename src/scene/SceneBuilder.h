@@ -15,19 +15,19 @@ namespace aolib {
 /// since later indices would then name the wrong vertices, end() drops the mesh with that error.
 class SceneBuilder {
 public:
-    Status begin();
-    Status normal(const glm::vec3& normal);
-    Status vertex(const glm::vec3& position);
-    Status beginRun(AoPrimitive primitive);
-    Status index(std::uint32_t index);
-    Status endRun();
+    AoStatus begin();
+    AoStatus normal(const glm::vec3& normal);
+    AoStatus vertex(const glm::vec3& position);
+    AoStatus beginRun(AoPrimitive primitive);
+    AoStatus index(std::uint32_t index);
+    AoStatus endRun();
     Result<Mesh> end();
 
 private:
     enum class State : std::uint8_t { Idle, Mesh, Run };
 
-    Status refuse(const char* call, const char* instead) const;
-    Status fail(Status status);
+    AoStatus refuse(const char* call, const char* instead) const;
+    AoStatus fail(AoStatus status);
 
     State state_ = State::Idle;
     std::vector<glm::vec3> positions_;
@@ -37,7 +37,7 @@ private:
     AoPrimitive primitive_ = AO_TRIANGLES;
     glm::vec3 currentNormal_{};
     bool hasNormal_ = false;
-    Status failure_;
+    AoStatus failure_;
 };
 
 } // namespace aolib

@@ -29,7 +29,7 @@ Options FuzzHost::options() {
     o.cubeMaps.repair = !one(8);
     o.cubeMaps.outlines = one(8);
     o.blur.size = 1 + 2 * static_cast<int>(below(3));
-    o.debugView = one(8) ? static_cast<DebugView>(below(8)) : DebugView::None;
+    o.debugView = one(8) ? static_cast<DebugView>(below(8)) : DebugView::Off;
     return o;
 }
 
@@ -119,7 +119,7 @@ void FuzzHost::rest() {
     for (int i = 0; i < 3; ++i) {
         drawDepth();
         note(ao_->aoDrawBegin());
-        const Status status = ao_->aoDrawEnd(eye_.x, eye_.y, eye_.z);
+        const AoStatus status = ao_->aoDrawEnd(eye_.x, eye_.y, eye_.z);
         note(status);
         if (!status) {
             return;

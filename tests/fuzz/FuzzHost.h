@@ -54,7 +54,7 @@ private:
     std::size_t below(std::size_t count) { return bytes_.take<std::uint8_t>() % count; }
     bool one(std::size_t in) { return below(in) == 0; }
 
-    void note(const Status& status) const {
+    void note(const AoStatus& status) const {
         require(status.ok() || !status.message().empty(), "a reason is given");
         require(stage_.error() == 0, "no GL error is raised");
     }

@@ -53,7 +53,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     aolib::Options options;
     Fill fill{bytes};
     aolib::visitOptions(options, fill);
-    const aolib::Status status = aolib::checkOptions(options);
+    const aolib::AoStatus status = aolib::checkOptions(options);
     const aolib::CubeMapOptions& maps = options.cubeMaps;
     const double texels = 6.0 * maps.faceSize * maps.faceSize;
     const bool room = maps.memoryBudget == 0.0F || maps.memoryBudget * 1048576.0 > 3.01 * texels;

@@ -46,7 +46,7 @@ protected:
     /// One cube map, at the eye, and frames until it is counted.
     void render(RenderedScene& scene, const NamedCamera& camera) {
         ASSERT_TRUE(scene.ready());
-        const Status status = scene.settle(camera);
+        const AoStatus status = scene.settle(camera);
         ASSERT_TRUE(status.ok()) << status.message();
         ASSERT_EQ(scene.ao().cubeMaps().size(), 1U);
         EXPECT_GE(scene.ao().statistics().coverage, kCoverage);

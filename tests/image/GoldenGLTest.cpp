@@ -33,7 +33,7 @@ protected:
         options.cubeMaps.fallback = false;
         RenderedScene scene(gl, loader, buildScene(view), options, kGoldenWidth, kGoldenHeight);
         ASSERT_TRUE(scene.ready());
-        const Status status = scene.settle(cameraOf(view));
+        const AoStatus status = scene.settle(cameraOf(view));
         ASSERT_TRUE(status.ok()) << status.message();
         const FloatImage visibility = scene.visibility();
         ASSERT_TRUE(std::ranges::all_of(visibility.pixels, [](float w) {

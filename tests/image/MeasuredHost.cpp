@@ -137,7 +137,7 @@ void MeasuredHost::frame(const CameraKind& camera, const FramebufferKind& kind,
         gl_.Enable(GL_SCISSOR_TEST);
         gl_.Scissor(kind.origin.x, kind.origin.y, kWidth, kHeight);
     }
-    Status status = ao_->aoDrawBegin();
+    AoStatus status = ao_->aoDrawBegin();
     EXPECT_TRUE(status.ok()) << status.message();
     host_.draw(camera, kind.white);
     const auto applied =

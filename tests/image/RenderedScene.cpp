@@ -48,24 +48,24 @@ RenderedScene::RenderedScene(const gl::Functions& gl, const ProcAddressLoader& l
     renderer_.emplace(std::move(*renderer));
 }
 
-Status RenderedScene::frame(const NamedCamera& camera) {
+AoStatus RenderedScene::frame(const NamedCamera& camera) {
     const glm::mat4 view = viewMatrix(camera);
     const glm::mat4 projection =
         projectionMatrix(camera, static_cast<float>(width_) / static_cast<float>(height_));
     framebuffer_->bind();
-    if (Status status = ao_->aoSetCamera(view, projection); !status) {
+    if (AoStatus status = ao_->aoSetCamera(view, projection); !status) {
         return status;
     }
-    if (Status status = ao_->aoDrawBegin(); !status) {
+    if (AoStatus status = ao_->aoDrawBegin(); !status) {
         return status;
     }
     renderer_->draw(view, projection);
     return ao_->aoDrawEnd(camera.eye.x, camera.eye.y, camera.eye.z);
 }
 
-Status RenderedScene::settle(const NamedCamera& camera) {
+AoStatus RenderedScene::settle(const NamedCamera& camera) {
     for (int i = 0; i < kMostFrames; ++i) {
-        if (Status status = frame(camera); !status) {
+        if (AoStatus status = frame(camera); !status) {
             return status;
         }
         const Statistics statistics = ao_->statistics();

@@ -33,9 +33,9 @@ public:
     bool ready() const { return ao_ && framebuffer_ && renderer_; }
 
     /// One frame with ambient occlusion.
-    Status frame(const NamedCamera& camera);
+    AoStatus frame(const NamedCamera& camera);
     /// Frames until the cube map of this view stands and its coverage is known.
-    Status settle(const NamedCamera& camera);
+    AoStatus settle(const NamedCamera& camera);
 
     /// W of the latest frame, background -1.
     FloatImage visibility();

@@ -40,7 +40,7 @@ protected:
     /// Draws the view until nothing is left to compute.
     void converge(RenderedScene& scene, const NamedCamera& camera) {
         for (int frame = 0; frame < kMostRepairs; ++frame) {
-            const Status status = scene.frame(camera);
+            const AoStatus status = scene.frame(camera);
             ASSERT_TRUE(status.ok()) << status.message();
             gl.Finish();
             const Statistics statistics = scene.ao().statistics();

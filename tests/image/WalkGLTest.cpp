@@ -51,7 +51,7 @@ TEST_P(WalkGLTest, CoverageNeverStaysBelowTheThreshold) {
         camera.eye = points[i];
         camera.target = points[i + 1];
         camera.fovyDeg = 60.0F;
-        const Status status = scene.frame(camera);
+        const AoStatus status = scene.frame(camera);
         ASSERT_TRUE(status.ok()) << status.message();
         const Statistics statistics = scene.ao().statistics();
         ASSERT_LE(statistics.frame - statistics.coverageFrame, kDelay) << "frame " << i;

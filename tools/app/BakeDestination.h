@@ -27,7 +27,7 @@ public:
     /// Moves the model to what the next bake is of. Errors: BadInput.
     virtual MaybeFailure beginRound(std::size_t /*round*/) { return std::nullopt; }
     /// Errors: the baker's.
-    virtual Status bake(bake::AbstractBaker& baker, const bake::BakeProgress& progress) = 0;
+    virtual AoStatus bake(bake::AbstractBaker& baker, const bake::BakeProgress& progress) = 0;
     /// Puts the values into the model and into files. Gives a table for people.
     virtual Outcome<std::string> put(OutputFiles& files) = 0;
     /// All files have been written.

@@ -118,7 +118,7 @@ void attachLight(BakeFlags& flags, CLI::App& command) {
         ->group(group);
     addChoice<Falloff>(
         command, "--falloff",
-        {{"step", Falloff::Step}, {"exp", Falloff::Exp}, {"none", Falloff::None}},
+        {{"step", Falloff::Step}, {"exp", Falloff::Exp}, {"none", Falloff::Off}},
         [&flags](Falloff value) { flags.rays.falloff = value; },
         "weight of an occluder over its distance, where there is a radius")
         ->default_str("step")

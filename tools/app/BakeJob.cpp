@@ -19,7 +19,7 @@ namespace aolib::app {
 
 namespace {
 
-Failure bakeFailure(const std::string& subject, const Status& status) {
+Failure bakeFailure(const std::string& subject, const AoStatus& status) {
     if (status.code() == StatusCode::Cancelled) {
         return {ExitCode::Failed, "cancelled; nothing was written for " + subject};
     }
@@ -72,7 +72,7 @@ bake::BakeScene Job::scene() const {
 }
 
 Outcome<std::unique_ptr<bake::AbstractBaker>> Job::baker() {
-    Result<std::unique_ptr<bake::AbstractBaker>> made = Status();
+    Result<std::unique_ptr<bake::AbstractBaker>> made = AoStatus();
     const double radius = flags_.radius.resolved(double{input_.bounds.diagonal()});
     if (flags_.method == BakeMethod::Rays) {
         bake::RayOptions rays = flags_.rays;
@@ -114,7 +114,7 @@ MaybeFailure Job::bakeAll(AbstractBakeDestination& goal) {
             progress_.update((static_cast<double>(round) + fraction) / rounds);
             return !Interruption::happened();
         };
-        if (const Status baked = goal.bake(**made, goOn); !baked) {
+        if (const AoStatus baked = goal.bake(**made, goOn); !baked) {
             return bakeFailure(input_.name, baked);
         }
     }

@@ -135,7 +135,7 @@ MaybeFailure Planner::unwrap(PlannedMap& map) {
         surfaces.push_back(&piece.surface);
         map.uvSet = std::max(map.uvSet, static_cast<int>(piece.uvSets.size()));
     }
-    Result<bake::Atlas> atlas = Status();
+    Result<bake::Atlas> atlas = AoStatus();
     for (const int gap : kChartGaps) {
         atlas = bake::makeAtlas(surfaces, flags_.map.width, flags_.map.height, gap);
         if (atlas || atlas.status().code() != StatusCode::InvalidOption) {

@@ -39,7 +39,7 @@ MaybeFailure BakeToPoses::beginRound(std::size_t round) {
     return std::nullopt;
 }
 
-Status BakeToPoses::bake(bake::AbstractBaker& baker, const bake::BakeProgress& progress) {
+AoStatus BakeToPoses::bake(bake::AbstractBaker& baker, const bake::BakeProgress& progress) {
     Result<std::vector<bake::BakedVertices>> baked = baker.bakeVertices(flags_.vertices, progress);
     if (!baked) {
         return baked.status();

@@ -20,7 +20,7 @@ public:
     MaybeFailure prepare(OutputFiles& files) override;
     std::size_t rounds() const override { return flags_.poses.size(); }
     MaybeFailure beginRound(std::size_t round) override;
-    Status bake(bake::AbstractBaker& baker, const bake::BakeProgress& progress) override;
+    AoStatus bake(bake::AbstractBaker& baker, const bake::BakeProgress& progress) override;
     Outcome<std::string> put(OutputFiles& files) override;
 
 private:

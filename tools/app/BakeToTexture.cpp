@@ -49,7 +49,7 @@ MaybeFailure BakeToTexture::prepare(OutputFiles& files) {
     return std::nullopt;
 }
 
-Status BakeToTexture::bake(bake::AbstractBaker& baker, const bake::BakeProgress& progress) {
+AoStatus BakeToTexture::bake(bake::AbstractBaker& baker, const bake::BakeProgress& progress) {
     std::vector<std::filesystem::path> pictures;
     for (std::size_t i = 0; i < plans_.size() && !flags_.watch.empty(); ++i) {
         pictures.push_back(mapFile(flags_.watch, i));

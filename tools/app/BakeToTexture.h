@@ -19,7 +19,7 @@ public:
     BakeToTexture(BakeInput& input, const BakeFlags& flags) : input_(input), flags_(flags) {}
 
     MaybeFailure prepare(OutputFiles& files) override;
-    Status bake(bake::AbstractBaker& baker, const bake::BakeProgress& progress) override;
+    AoStatus bake(bake::AbstractBaker& baker, const bake::BakeProgress& progress) override;
     Outcome<std::string> put(OutputFiles& files) override;
     void succeed() override;
 

@@ -26,7 +26,7 @@ MaybeFailure BakeToVertices::prepare(OutputFiles& /*files*/) {
     return std::nullopt;
 }
 
-Status BakeToVertices::bake(bake::AbstractBaker& baker, const bake::BakeProgress& progress) {
+AoStatus BakeToVertices::bake(bake::AbstractBaker& baker, const bake::BakeProgress& progress) {
     Result<std::vector<bake::BakedVertices>> baked = baker.bakeVertices(flags_.vertices, progress);
     if (!baked) {
         return baked.status();

@@ -88,7 +88,7 @@ MaybeFailure BakeToView::prepare(OutputFiles& files) {
     return std::nullopt;
 }
 
-Status BakeToView::bake(bake::AbstractBaker& baker, const bake::BakeProgress& progress) {
+AoStatus BakeToView::bake(bake::AbstractBaker& baker, const bake::BakeProgress& progress) {
     Result<bake::BakedMap> baked = baker.bakeView(view_, progress);
     if (!baked) {
         return baked.status();

@@ -101,7 +101,7 @@ MaybeFailure LitJob::draw(const lighting::EnvironmentMap& map) {
     if (!renderer) {
         return failureOf(renderer.status());
     }
-    if (const Status status = renderer->setEnvironment(session_.loader(), map); !status) {
+    if (const AoStatus status = renderer->setEnvironment(session_.loader(), map); !status) {
         return failureOf(status);
     }
     renderer->draw(viewMatrix(view_.camera),

@@ -55,15 +55,15 @@ public:
           projection_(projectionMatrix(job.camera, static_cast<float>(job.width) /
                                                        static_cast<float>(job.height))) {}
 
-    Status run(RenderResult& result);
+    AoStatus run(RenderResult& result);
 
 private:
-    Status placeByHand();
-    Status drawFrame();
-    Status drawUntilSettled();
-    Status drawTimed();
-    Status readPictures(RenderResult& result);
-    Status readDebugViews(RenderResult& result);
+    AoStatus placeByHand();
+    AoStatus drawFrame();
+    AoStatus drawUntilSettled();
+    AoStatus drawTimed();
+    AoStatus readPictures(RenderResult& result);
+    AoStatus readDebugViews(RenderResult& result);
     void countUp(RenderResult& result) const;
 
     const gl::Functions& gl_;
@@ -79,7 +79,7 @@ private:
     double convergedMs_ = 0.0; ///< wall clock until all was computed, where it takes many frames
 };
 
-Status JobRunner::run(RenderResult& result) {
+AoStatus JobRunner::run(RenderResult& result) {
     target_.bind();
     renderer_.draw(view_, projection_);
     Result<ByteImage> colour = target_.readColour();
@@ -89,18 +89,18 @@ Status JobRunner::run(RenderResult& result) {
     result.colour = std::move(*colour);
     for (const auto step :
          {&JobRunner::placeByHand, &JobRunner::drawUntilSettled, &JobRunner::drawTimed}) {
-        if (Status status = (this->*step)(); !status) {
+        if (AoStatus status = (this->*step)(); !status) {
             return status;
         }
     }
     countUp(result);
-    if (Status status = readPictures(result); !status) {
+    if (AoStatus status = readPictures(result); !status) {
         return status;
     }
     return readDebugViews(result);
 }
 
-Status JobRunner::placeByHand() {
+AoStatus JobRunner::placeByHand() {
     gl_.Finish();
     const Clock::time_point begin = Clock::now();
     for (const glm::vec3& position : job_.cubeMaps) {
@@ -113,12 +113,12 @@ Status JobRunner::placeByHand() {
     return ao_.aoSetCamera(view_, projection_);
 }
 
-Status JobRunner::drawFrame() {
+AoStatus JobRunner::drawFrame() {
     FrameTime time;
     target_.bind();
     gl_.Finish();
     const Clock::time_point begin = Clock::now();
-    if (Status status = ao_.aoDrawBegin(); !status) {
+    if (AoStatus status = ao_.aoDrawBegin(); !status) {
         return status;
     }
     renderer_.draw(view_, projection_);
@@ -126,7 +126,7 @@ Status JobRunner::drawFrame() {
     time.hostMs = millisecondsSince(begin);
     const Clock::time_point drawn = Clock::now();
     const glm::vec3& eye = job_.camera.eye;
-    if (Status status = ao_.aoDrawEnd(eye.x, eye.y, eye.z); !status) {
+    if (AoStatus status = ao_.aoDrawEnd(eye.x, eye.y, eye.z); !status) {
         return status;
     }
     gl_.Finish();
@@ -136,7 +136,7 @@ Status JobRunner::drawFrame() {
     return {};
 }
 
-Status JobRunner::drawUntilSettled() {
+AoStatus JobRunner::drawUntilSettled() {
     const auto settled = [this] {
         return job_.options.backbone != Backbone::Cubemapped ||
                (!frames_.back().built && ao_.statistics().coverage >= 0.0F);
@@ -144,7 +144,7 @@ Status JobRunner::drawUntilSettled() {
     const Clock::time_point begin = Clock::now();
     int extra = 0;
     for (int frame = 0;; ++frame) {
-        if (Status status = drawFrame(); !status) {
+        if (AoStatus status = drawFrame(); !status) {
             return status;
         }
         const bool converged = ao_.statistics().converged;
@@ -162,13 +162,13 @@ Status JobRunner::drawUntilSettled() {
     }
 }
 
-Status JobRunner::drawTimed() {
+AoStatus JobRunner::drawTimed() {
     const Clock::time_point begin = Clock::now();
     for (int frame = 0; frame < kTimedFrames; ++frame) {
         if (frame >= kFewestTimedFrames && millisecondsSince(begin) > kTimingBudgetMs) {
             break;
         }
-        if (Status status = drawFrame(); !status) {
+        if (AoStatus status = drawFrame(); !status) {
             return status;
         }
     }
@@ -200,7 +200,7 @@ void JobRunner::countUp(RenderResult& result) const {
     }
 }
 
-Status JobRunner::readPictures(RenderResult& result) {
+AoStatus JobRunner::readPictures(RenderResult& result) {
     Result<ByteImage> composite = target_.readColour();
     if (!composite) {
         return composite.status();
@@ -215,14 +215,14 @@ Status JobRunner::readPictures(RenderResult& result) {
     return {};
 }
 
-Status JobRunner::readDebugViews(RenderResult& result) {
+AoStatus JobRunner::readDebugViews(RenderResult& result) {
     for (const DebugView view : job_.debugViews) {
         Options options = job_.options;
         options.debugView = view;
-        if (Status status = ao_.setOptions(options); !status) {
+        if (AoStatus status = ao_.setOptions(options); !status) {
             return status;
         }
-        if (Status status = drawFrame(); !status) {
+        if (AoStatus status = drawFrame(); !status) {
             return status;
         }
         Result<ByteImage> picture = target_.readColour();
@@ -236,7 +236,7 @@ Status JobRunner::readDebugViews(RenderResult& result) {
 
 } // namespace
 
-Failure failureOf(const Status& status) {
+Failure failureOf(const AoStatus& status) {
     switch (status.code()) {
     case StatusCode::NoContext:
     case StatusCode::MissingCapability:
@@ -271,7 +271,7 @@ Outcome<RenderResult> render(const GlSession& session, const Model& model, const
     RenderResult result;
     JobRunner runner(session, job, std::move(*ao), std::move(*renderer), std::move(*target),
                      progress);
-    if (const Status status = runner.run(result); !status) {
+    if (const AoStatus status = runner.run(result); !status) {
         return failureOf(status);
     }
     progress.pause();

@@ -49,6 +49,6 @@ Outcome<RenderResult> render(const GlSession& session, const Model& model, const
                              Progress& progress);
 
 /// The failure that a status of the library means to the shell.
-Failure failureOf(const Status& status);
+Failure failureOf(const AoStatus& status);
 
 } // namespace aolib::app

@@ -25,7 +25,7 @@ std::string debugName(DebugView view) {
 std::string debugNames() {
     std::string names;
     for (const auto& choice : kDebugViewChoices) {
-        if (choice.value != DebugView::None) {
+        if (choice.value != DebugView::Off) {
             names += std::string(choice.name) + ", ";
         }
     }
@@ -65,7 +65,7 @@ void RenderOutputs::parseDebug(const std::string& argument) {
     const std::string name = argument.substr(0, equals);
     bool known = false;
     for (const auto& choice : kDebugViewChoices) {
-        if (choice.value != DebugView::None && (name == choice.name || name == "all")) {
+        if (choice.value != DebugView::Off && (name == choice.name || name == "all")) {
             debug_.push_back({argument, choice.value, {}});
             known = true;
         }

@@ -37,7 +37,7 @@ public:
 private:
     struct DebugPicture {
         std::string argument; ///< as given: "quality" or "quality=q.png"
-        DebugView view = DebugView::None;
+        DebugView view = DebugView::Off;
         std::vector<std::filesystem::path> files;
     };
     /// One kind of picture: the file given by its flag, and those in the folder of --out.

@@ -50,15 +50,15 @@ struct FacadeRun::Impl {
         : scene(opened), size(pictureSize), timer(std::move(passTimer)), ao(std::move(library)),
           frames(std::move(host)) {}
 
-    Status giveOrTakeTracer(bool wanted);
-    Status buildOnce(const FacadeMethod& method, const std::vector<glm::vec3>& positions,
-                     const Truth& truth, const Patience& patience, Measurement& m, Gathered& all);
-    Status converge(const Options& options, const Truth& truth, const Patience& patience,
-                    Build& build, Measurement& m);
-    Status look(const Truth& truth, double spent, Build& build, Measurement& m);
-    Status timeFrames(const Patience& patience, Gathered& all);
-    Status timePasses(const std::vector<glm::vec3>& positions, const Patience& patience,
-                      Measurement& m);
+    AoStatus giveOrTakeTracer(bool wanted);
+    AoStatus buildOnce(const FacadeMethod& method, const std::vector<glm::vec3>& positions,
+                       const Truth& truth, const Patience& patience, Measurement& m, Gathered& all);
+    AoStatus converge(const Options& options, const Truth& truth, const Patience& patience,
+                      Build& build, Measurement& m);
+    AoStatus look(const Truth& truth, double spent, Build& build, Measurement& m);
+    AoStatus timeFrames(const Patience& patience, Gathered& all);
+    AoStatus timePasses(const std::vector<glm::vec3>& positions, const Patience& patience,
+                        Measurement& m);
     void countMemory(Measurement& m) const;
 
     const OpenedScene& scene;
@@ -76,7 +76,7 @@ FacadeRun::~FacadeRun() = default;
 
 Loaded<FacadeRun> FacadeRun::create(const gl::Functions& gl, const ProcAddressLoader& loader,
                                     const OpenedScene& scene, const PictureSize& size) {
-    const auto failed = [&](const Status& status) {
+    const auto failed = [&](const AoStatus& status) {
         return LoadError{scene.entry.name + ": " + status.message()};
     };
     auto timer = std::make_unique<PassTimer>();
@@ -107,7 +107,7 @@ Measurement FacadeRun::measure(const FacadeMethod& method, const BenchCase& whic
         cubeMapPositions(impl_->scene, camera, impl_->size, method.cubeMaps);
     Measurement m;
     Gathered all;
-    Status status = impl_->giveOrTakeTracer(method.tracer);
+    AoStatus status = impl_->giveOrTakeTracer(method.tracer);
     if (!status) {
         m.failure = status.message();
         return m;
@@ -136,9 +136,9 @@ std::vector<float> FacadeRun::drawDepths(const NamedCamera& camera) {
     return impl_->frames.drawDepths();
 }
 
-Status FacadeRun::Impl::buildOnce(const FacadeMethod& method,
-                                  const std::vector<glm::vec3>& positions, const Truth& truth,
-                                  const Patience& patience, Measurement& m, Gathered& all) {
+AoStatus FacadeRun::Impl::buildOnce(const FacadeMethod& method,
+                                    const std::vector<glm::vec3>& positions, const Truth& truth,
+                                    const Patience& patience, Measurement& m, Gathered& all) {
     ao.clear();
     frames.setSway(0.0F);
     frames.finish();
@@ -150,12 +150,12 @@ Status FacadeRun::Impl::buildOnce(const FacadeMethod& method,
         }
     }
     frames.finish();
-    if (Status status = converge(method.options, truth, patience, build, m); !status) {
+    if (AoStatus status = converge(method.options, truth, patience, build, m); !status) {
         return status;
     }
     const double convergedMs = m.path.back().ms;
     Gathered now;
-    if (Status status = timeFrames(patience, now); !status) {
+    if (AoStatus status = timeFrames(patience, now); !status) {
         return status;
     }
     const double usual = spreadOf(now.frameMs).median;
@@ -167,7 +167,7 @@ Status FacadeRun::Impl::buildOnce(const FacadeMethod& method,
     return {};
 }
 
-Status FacadeRun::Impl::giveOrTakeTracer(bool wanted) {
+AoStatus FacadeRun::Impl::giveOrTakeTracer(bool wanted) {
     if (tracer == wanted) {
         return {};
     }
@@ -179,8 +179,8 @@ Status FacadeRun::Impl::giveOrTakeTracer(bool wanted) {
     return {};
 }
 
-Status FacadeRun::Impl::converge(const Options& options, const Truth& truth,
-                                 const Patience& patience, Build& build, Measurement& m) {
+AoStatus FacadeRun::Impl::converge(const Options& options, const Truth& truth,
+                                   const Patience& patience, Build& build, Measurement& m) {
     const double beforeFrames = build.spent(); // spent in addCubeMap()
     m.worstFrameMs = -1.0;
     for (;;) {
@@ -200,7 +200,7 @@ Status FacadeRun::Impl::converge(const Options& options, const Truth& truth,
         m.converged = done;
         const bool over = spent - beforeFrames > patience.buildSeconds * kMsPerSecond;
         if (done || over || (shows && (!build.shown || spent >= build.nextLook))) {
-            if (Status status = look(truth, spent, build, m); !status) {
+            if (AoStatus status = look(truth, spent, build, m); !status) {
                 return status;
             }
         }
@@ -212,7 +212,7 @@ Status FacadeRun::Impl::converge(const Options& options, const Truth& truth,
 }
 
 /// Reads the picture back and notes what it is worth.
-Status FacadeRun::Impl::look(const Truth& truth, double spent, Build& build, Measurement& m) {
+AoStatus FacadeRun::Impl::look(const Truth& truth, double spent, Build& build, Measurement& m) {
     const Result<VisibilityImage> picture = ao.readVisibility();
     if (!picture) {
         return picture.status();
@@ -228,7 +228,7 @@ Status FacadeRun::Impl::look(const Truth& truth, double spent, Build& build, Mea
     return {};
 }
 
-Status FacadeRun::Impl::timeFrames(const Patience& patience, Gathered& all) {
+AoStatus FacadeRun::Impl::timeFrames(const Patience& patience, Gathered& all) {
     frames.setSway(sway);
     if (const Result<FrameTimes> warm = frames.draw(ao); !warm) {
         return warm.status();
@@ -245,8 +245,8 @@ Status FacadeRun::Impl::timeFrames(const Patience& patience, Gathered& all) {
 }
 
 /// Frames and one more build with a timer that waits after every pass.
-Status FacadeRun::Impl::timePasses(const std::vector<glm::vec3>& positions,
-                                   const Patience& patience, Measurement& m) {
+AoStatus FacadeRun::Impl::timePasses(const std::vector<glm::vec3>& positions,
+                                     const Patience& patience, Measurement& m) {
     if (!patience.passes) {
         return {};
     }

@@ -54,14 +54,14 @@ std::vector<float> HostedFrames::drawDepths() {
 Result<FrameTimes> HostedFrames::draw(AmbientOcclusion& ao, PassTimer* timer) {
     swayed_ = !swayed_ && sway_ != 0.0F;
     const glm::mat4 view = swayed_ ? rightOf(view_, sway_) : view_;
-    if (Status status = ao.aoSetCamera(view, projection_); !status) {
+    if (AoStatus status = ao.aoSetCamera(view, projection_); !status) {
         return status;
     }
     FrameTimes times;
     target_.bind();
     finish();
     const Clock::time_point begin = Clock::now();
-    if (Status status = ao.aoDrawBegin(); !status) {
+    if (AoStatus status = ao.aoDrawBegin(); !status) {
         return status;
     }
     renderer_.draw(view, projection_);
@@ -71,7 +71,7 @@ Result<FrameTimes> HostedFrames::draw(AmbientOcclusion& ao, PassTimer* timer) {
         timer->start();
     }
     const Clock::time_point drawn = Clock::now();
-    if (Status status = ao.aoDrawEnd(eye_.x, eye_.y, eye_.z); !status) {
+    if (AoStatus status = ao.aoDrawEnd(eye_.x, eye_.y, eye_.z); !status) {
         return status;
     }
     finish();

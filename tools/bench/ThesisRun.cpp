@@ -38,7 +38,7 @@ public:
         row.triangles = scene_.model.triangleCount();
         row.setting = setting;
         Times times;
-        if (const Status status = measure(setting, patience, times); !status) {
+        if (const AoStatus status = measure(setting, patience, times); !status) {
             row.failure = status.message();
             return row;
         }
@@ -55,17 +55,17 @@ public:
     }
 
 private:
-    Status measure(const ThesisSetting& setting, const Patience& patience, Times& times) {
+    AoStatus measure(const ThesisSetting& setting, const Patience& patience, Times& times) {
         const NamedCamera& camera = scene_.cameras.front();
         Options options = setting.options();
         options.radius = static_cast<float>(kWideRadius * scene_.diagonal);
-        if (Status status = warmUp(ao_, frames_, options, camera.eye); !status) {
+        if (AoStatus status = warmUp(ao_, frames_, options, camera.eye); !status) {
             return status;
         }
         const std::vector<glm::vec3> positions =
             cubeMapPositions(scene_, camera, size_, setting.cubeMaps);
         for (int turn = 0; turn < patience.repeat; ++turn) {
-            if (Status status = build(positions, patience, times); !status) {
+            if (AoStatus status = build(positions, patience, times); !status) {
                 return status;
             }
             for (int i = 0; i < patience.frames; ++i) {
@@ -80,7 +80,8 @@ private:
     }
 
     /// Places cube maps and draws until nothing is left to compute.
-    Status build(const std::vector<glm::vec3>& positions, const Patience& patience, Times& times) {
+    AoStatus build(const std::vector<glm::vec3>& positions, const Patience& patience,
+                   Times& times) {
         ao_.clear();
         frames_.finish();
         const Clock::time_point begin = Clock::now();

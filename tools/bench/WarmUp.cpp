@@ -10,12 +10,12 @@ constexpr int kSmallFaces = 16; ///< texels
 
 } // namespace
 
-Status warmUp(AmbientOcclusion& ao, HostedFrames& frames, const Options& options,
-              const glm::vec3& place) {
+AoStatus warmUp(AmbientOcclusion& ao, HostedFrames& frames, const Options& options,
+                const glm::vec3& place) {
     Options small = options;
     small.cubeMaps.faceSize = std::min(small.cubeMaps.faceSize, kSmallFaces);
     ao.clear();
-    if (Status status = ao.setOptions(small); !status) {
+    if (AoStatus status = ao.setOptions(small); !status) {
         return status;
     }
     if (options.backbone == Backbone::Cubemapped) {

@@ -10,7 +10,7 @@ namespace aolib::bench {
 /// Takes options into force, without any cube map, after one small build and one frame, so that no
 /// shader is compiled and no triangle uploaded while a clock runs.
 /// @param place  where the small build stands, world units. Errors: those of the library. Context.
-Status warmUp(AmbientOcclusion& ao, HostedFrames& frames, const Options& options,
-              const glm::vec3& place);
+AoStatus warmUp(AmbientOcclusion& ao, HostedFrames& frames, const Options& options,
+                const glm::vec3& place);
 
 } // namespace aolib::bench

@@ -30,7 +30,7 @@ struct FalloffName {
     Falloff falloff;
 };
 constexpr std::array<FalloffName, 3> falloffNames{
-    {{"step", Falloff::Step}, {"exp", Falloff::Exp}, {"none", Falloff::None}}};
+    {{"step", Falloff::Step}, {"exp", Falloff::Exp}, {"none", Falloff::Off}}};
 
 /// Reads members one by one and keeps the first thing that is wrong.
 class CaseParser {

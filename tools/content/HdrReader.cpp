@@ -42,7 +42,7 @@ Loaded<lighting::EnvironmentMap> readHdr(std::string_view bytes,
         }
     }
     stbi_image_free(pixels);
-    if (const Status status = lighting::checkEnvironment(map); !status) {
+    if (const AoStatus status = lighting::checkEnvironment(map); !status) {
         return LoadError{file.string() + ": " + status.message()};
     }
     return map;

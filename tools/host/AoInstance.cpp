@@ -8,7 +8,7 @@
 
 namespace aolib::host {
 
-Status giveTracer(AmbientOcclusion& ao) {
+AoStatus giveTracer(AmbientOcclusion& ao) {
     auto tracer =
         createTexelTracer(static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
     if (tracer) {
@@ -22,7 +22,7 @@ Result<AmbientOcclusion> createInstance(const ProcAddressLoader& loader, const O
     if (!ao) {
         return ao;
     }
-    if (Status status = giveTracer(*ao); !status) {
+    if (AoStatus status = giveTracer(*ao); !status) {
         return status;
     }
     return ao;

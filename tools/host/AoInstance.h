@@ -6,7 +6,7 @@ namespace aolib::host {
 
 /// Gives an instance a tracer that takes all cores: a tool waits for the result. Errors: as
 /// createTexelTracer().
-Status giveTracer(AmbientOcclusion& ao);
+AoStatus giveTracer(AmbientOcclusion& ao);
 
 /// An instance for the current context that can trace rays, too. Errors: as
 /// AmbientOcclusion::create() and createTexelTracer().

@@ -15,7 +15,7 @@ std::string describe(const HostFramebuffer::Settings& settings) {
     return text;
 }
 
-Status checkSettings(const gl::Functions& gl, const HostFramebuffer::Settings& settings) {
+AoStatus checkSettings(const gl::Functions& gl, const HostFramebuffer::Settings& settings) {
     GLint maxSize = 0;
     GLint maxSamples = 0;
     gl.GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &maxSize);
@@ -33,7 +33,7 @@ Status checkSettings(const gl::Functions& gl, const HostFramebuffer::Settings& s
 } // namespace
 
 Result<HostFramebuffer> HostFramebuffer::create(const gl::Functions& gl, const Settings& settings) {
-    if (Status status = checkSettings(gl, settings); !status) {
+    if (AoStatus status = checkSettings(gl, settings); !status) {
         return status;
     }
     HostFramebuffer target;
@@ -41,22 +41,22 @@ Result<HostFramebuffer> HostFramebuffer::create(const gl::Functions& gl, const S
     target.settings_ = settings;
     target.framebuffer_ = gl::generate<gl::Framebuffer>(gl, &gl::Functions::GenFramebuffers);
     gl.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer_.name());
-    if (Status status = target.attach(target.colour_, GL_RGBA8, GL_COLOR_ATTACHMENT0); !status) {
+    if (AoStatus status = target.attach(target.colour_, GL_RGBA8, GL_COLOR_ATTACHMENT0); !status) {
         return status;
     }
-    if (Status status =
+    if (AoStatus status =
             target.attach(target.depth_, GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL_ATTACHMENT);
         !status) {
         return status;
     }
     if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-        return Status(StatusCode::OutOfMemory,
-                      "GL gave no complete framebuffer of " + describe(settings));
+        return AoStatus(StatusCode::OutOfMemory,
+                        "GL gave no complete framebuffer of " + describe(settings));
     }
     return target;
 }
 
-Status HostFramebuffer::attach(Renderbuffer& buffer, GLenum format, GLenum attachment) const {
+AoStatus HostFramebuffer::attach(Renderbuffer& buffer, GLenum format, GLenum attachment) const {
     GLuint name = 0;
     gl_->GenRenderbuffers(1, &name);
     if (name == 0) {

@@ -37,7 +37,7 @@ public:
 private:
     using Renderbuffer = gl::Handle<&gl::Functions::DeleteRenderbuffers>;
 
-    Status attach(Renderbuffer& buffer, GLenum format, GLenum attachment) const;
+    AoStatus attach(Renderbuffer& buffer, GLenum format, GLenum attachment) const;
 
     const gl::Functions* gl_ = nullptr;
     Settings settings_;

@@ -42,7 +42,7 @@ Result<HostMesh> HostMesh::create(const gl::Functions& gl, const ModelMesh& mesh
     uploaded.indices_ = upload(gl, GL_ELEMENT_ARRAY_BUFFER, std::span(mesh.indices));
     gl.BindVertexArray(0);
     if (!uploaded.array_ || !uploaded.positions_ || !uploaded.indices_) {
-        return Status(StatusCode::OutOfMemory, mesh.name + ": GL gave no names for its buffers");
+        return AoStatus(StatusCode::OutOfMemory, mesh.name + ": GL gave no names for its buffers");
     }
     return uploaded;
 }

@@ -68,7 +68,7 @@ Result<LitMesh> LitMesh::create(const gl::Functions& gl, const LitPiece& piece) 
     const bool complete = std::all_of(mesh.buffers_.begin(), mesh.buffers_.end(),
                                       [](const gl::BufferName& name) { return bool(name); });
     if (!mesh.array_ || !complete) {
-        return Status(StatusCode::OutOfMemory, "GL gave no names for a lit mesh's buffers");
+        return AoStatus(StatusCode::OutOfMemory, "GL gave no names for a lit mesh's buffers");
     }
     return mesh;
 }

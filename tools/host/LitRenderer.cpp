@@ -61,7 +61,7 @@ Result<LitRenderer> LitRenderer::create(const gl::Functions& gl,
     }
     renderer.sky_ = std::move(*sky);
     renderer.empty_ = gl::generate<gl::VertexArrayName>(gl, &gl::Functions::GenVertexArrays);
-    if (Status status = renderer.resize(settings.width, settings.height); !status) {
+    if (AoStatus status = renderer.resize(settings.width, settings.height); !status) {
         return status;
     }
     Result<SunDepth> sun = SunDepth::create(gl, settings.sunSize);
@@ -82,7 +82,7 @@ Result<LitRenderer> LitRenderer::create(const gl::Functions& gl,
     return renderer;
 }
 
-Status LitRenderer::resize(int width, int height) {
+AoStatus LitRenderer::resize(int width, int height) {
     if (width == target_.width() && height == target_.height()) {
         return {};
     }
@@ -99,8 +99,8 @@ Status LitRenderer::resize(int width, int height) {
     return made.status();
 }
 
-Status LitRenderer::setEnvironment(const ProcAddressLoader& loader,
-                                   const lighting::EnvironmentMap& map) {
+AoStatus LitRenderer::setEnvironment(const ProcAddressLoader& loader,
+                                     const lighting::EnvironmentMap& map) {
     lighting::EnvironmentLightOptions options;
     options.angles = true;
     options.sectors = true;

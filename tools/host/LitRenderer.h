@@ -48,10 +48,10 @@ public:
                                       const Settings& settings);
 
     /// Another size of pictures, pixels. Errors: MissingCapability, OutOfMemory.
-    Status resize(int width, int height);
+    AoStatus resize(int width, int height);
 
     /// Takes an environment. Errors: those of EnvironmentLight::create().
-    Status setEnvironment(const ProcAddressLoader& loader, const lighting::EnvironmentMap& map);
+    AoStatus setEnvironment(const ProcAddressLoader& loader, const lighting::EnvironmentMap& map);
 
     /// Draws a frame: the sun's depth map where the method has one, background, surfaces.
     void draw(const glm::mat4& view, const glm::mat4& projection, LitMethod method);

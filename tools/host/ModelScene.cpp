@@ -18,12 +18,12 @@ Result<std::vector<MeshId>> describeScene(AmbientOcclusion& ao, const Model& mod
         data.transform = mesh.transform;
         const Result<MeshId> id = ao.addMesh(data);
         if (!id) {
-            return Status(id.status().code(), mesh.name + ": " + id.status().message());
+            return AoStatus(id.status().code(), mesh.name + ": " + id.status().message());
         }
         ids.push_back(*id);
     }
     if (ids.empty()) {
-        return Status(StatusCode::NoScene, model.name + " holds no triangles");
+        return AoStatus(StatusCode::NoScene, model.name + " holds no triangles");
     }
     return ids;
 }

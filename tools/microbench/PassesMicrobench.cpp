@@ -35,9 +35,9 @@ public:
     bench::PassTimer& timer() { return timer_; }
 
     /// Options in force, cube maps placed, and one frame drawn.
-    Status prepare(const Options& options, int cubeMaps) {
+    AoStatus prepare(const Options& options, int cubeMaps) {
         ao_->clear();
-        if (Status status = ao_->setOptions(options); !status) {
+        if (AoStatus status = ao_->setOptions(options); !status) {
             return status;
         }
         for (const glm::vec3& place :
@@ -58,12 +58,12 @@ private:
             return;
         }
         context_ = std::move(*context);
-        if (Status status = fill(); !status) {
+        if (AoStatus status = fill(); !status) {
             failure_ = status.message();
         }
     }
 
-    Status fill() {
+    AoStatus fill() {
         auto opened = bench::openBenchScene({"town", bench::SceneKind::Generated, false});
         auto gl = gl::Functions::load(context_->loader());
         if (!gl) {
@@ -122,7 +122,7 @@ void timeFramePass(benchmark::State& state, const Options& options, int cubeMaps
         state.SkipWithError(stage.failure().c_str());
         return;
     }
-    if (const Status status = stage.prepare(options, cubeMaps); !status) {
+    if (const AoStatus status = stage.prepare(options, cubeMaps); !status) {
         state.SkipWithError(status.message().c_str());
         return;
     }
@@ -170,7 +170,7 @@ void PeelLayers(benchmark::State& state) {
     Options options = smallOptions();
     options.estimator = Estimator::LayeredIntervals;
     options.layeredIntervals.layers = static_cast<int>(state.range(0));
-    if (const Status status = stage.prepare(options, 1); !status) {
+    if (const AoStatus status = stage.prepare(options, 1); !status) {
         state.SkipWithError(status.message().c_str());
         return;
     }

@@ -66,38 +66,39 @@ Result<bool> ComparedPicture::draw(StagedScene& scene, ViewerState& state, const
         return false;
     }
     settled_ = true; // so that a failure is not tried again and again
-    if (Status status = split_.resize(pixels); !status) {
+    if (AoStatus status = split_.resize(pixels); !status) {
         return status;
     }
     scene.look(wanted.camera, static_cast<float>(pixels.x) / static_cast<float>(pixels.y));
     if (left) {
         measuredAtRest_ = false;
-        if (Status status = drawLeft(scene, state, times); !status) {
+        if (AoStatus status = drawLeft(scene, state, times); !status) {
             return status;
         }
         settled_ = !state.occlusion || scene.settled();
     }
     if (otherTruth || (settled_ && !measuredAtRest_)) {
-        if (Status status = measureError(scene, state, truth.get()); !status) {
+        if (AoStatus status = measureError(scene, state, truth.get()); !status) {
             return status;
         }
         measuredAtRest_ = settled_;
     }
     if (right || state.rival == Rival::Difference) {
-        if (Status status = drawRight(scene, state, rivals); !status) {
+        if (AoStatus status = drawRight(scene, state, rivals); !status) {
             return status;
         }
     }
     return true;
 }
 
-Status ComparedPicture::drawLeft(StagedScene& scene, const ViewerState& state, FrameTimes& times) {
+AoStatus ComparedPicture::drawLeft(StagedScene& scene, const ViewerState& state,
+                                   FrameTimes& times) {
     if (!state.occlusion) {
         scene.drawPlain(split_.left());
         return {};
     }
     std::vector<bench::PassTime> passes;
-    const Status status =
+    const AoStatus status =
         scene.drawShaded(split_.left(), state.options, state.measuring ? &passes : nullptr);
     if (state.measuring && status) {
         times.add(std::move(passes));
@@ -105,8 +106,8 @@ Status ComparedPicture::drawLeft(StagedScene& scene, const ViewerState& state, F
     return status;
 }
 
-Status ComparedPicture::measureError(StagedScene& scene, ViewerState& state,
-                                     const TracedTruth* truth) {
+AoStatus ComparedPicture::measureError(StagedScene& scene, ViewerState& state,
+                                       const TracedTruth* truth) {
     state.error.reset();
     difference_.reset();
     if (truth == nullptr || !state.occlusion || !needsTruth(state.rival)) {
@@ -127,8 +128,8 @@ Status ComparedPicture::measureError(StagedScene& scene, ViewerState& state,
     return {};
 }
 
-Status ComparedPicture::drawRight(StagedScene& scene, const ViewerState& state,
-                                  const Rivals& rivals) {
+AoStatus ComparedPicture::drawRight(StagedScene& scene, const ViewerState& state,
+                                    const Rivals& rivals) {
     if (state.rival == Rival::None) {
         return {};
     }
@@ -163,8 +164,8 @@ Status ComparedPicture::drawRight(StagedScene& scene, const ViewerState& state,
     return {};
 }
 
-Status ComparedPicture::showTruth(StagedScene& scene, const ViewerState& state,
-                                  const TracedTruth* truth, const host::HostFramebuffer& target) {
+AoStatus ComparedPicture::showTruth(StagedScene& scene, const ViewerState& state,
+                                    const TracedTruth* truth, const host::HostFramebuffer& target) {
     if (truth == nullptr) {
         scene.drawPlain(target);
         return {};

@@ -61,11 +61,11 @@ private:
 
     static Basis basisOf(const ViewerState& state, const glm::ivec2& pixels, const Rivals& rivals);
     explicit ComparedPicture(const gl::Functions& gl) : split_(gl) {}
-    Status drawLeft(StagedScene& scene, const ViewerState& state, FrameTimes& times);
-    Status drawRight(StagedScene& scene, const ViewerState& state, const Rivals& rivals);
-    Status showTruth(StagedScene& scene, const ViewerState& state, const TracedTruth* truth,
-                     const host::HostFramebuffer& target);
-    Status measureError(StagedScene& scene, ViewerState& state, const TracedTruth* truth);
+    AoStatus drawLeft(StagedScene& scene, const ViewerState& state, FrameTimes& times);
+    AoStatus drawRight(StagedScene& scene, const ViewerState& state, const Rivals& rivals);
+    AoStatus showTruth(StagedScene& scene, const ViewerState& state, const TracedTruth* truth,
+                       const host::HostFramebuffer& target);
+    AoStatus measureError(StagedScene& scene, ViewerState& state, const TracedTruth* truth);
 
     SplitPicture split_;
     TracedPicture traced_;

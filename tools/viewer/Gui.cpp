@@ -32,7 +32,7 @@ Result<std::unique_ptr<Gui>> Gui::create(const Window& window) {
     std::unique_ptr<Gui> gui(new Gui);
     ImGui_ImplGlfw_InitForOpenGL(window.handle(), /*install_callbacks=*/true);
     if (!ImGui_ImplOpenGL3_Init("#version 330 core")) {
-        return Status(StatusCode::ShaderError, "Dear ImGui cannot draw in this context");
+        return AoStatus(StatusCode::ShaderError, "Dear ImGui cannot draw in this context");
     }
     return gui;
 }

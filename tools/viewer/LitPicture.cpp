@@ -7,8 +7,8 @@
 
 namespace aolib::viewer {
 
-Status LitPicture::prepare(const app::GlSession& session, const Light& light,
-                           const glm::ivec2& pixels) {
+AoStatus LitPicture::prepare(const app::GlSession& session, const Light& light,
+                             const glm::ivec2& pixels) {
     if (!renderer_ || drawn_.scene != light.scene) {
         renderer_.reset(); // its memory is needed
         drawn_ = {};
@@ -19,14 +19,14 @@ Status LitPicture::prepare(const app::GlSession& session, const Light& light,
         }
         renderer_ = std::move(*made);
     }
-    if (Status status = renderer_->resize(pixels.x, pixels.y); !status) {
+    if (AoStatus status = renderer_->resize(pixels.x, pixels.y); !status) {
         return status;
     }
     if (drawn_.environment != light.environment || drawn_.turn != light.turn) {
         exposure_ = drawn_.environment == light.environment ? exposure_ : 0.0F;
         const lighting::EnvironmentMap map =
             lighting::turned(*light.environment, light.turn / 360.0F);
-        if (Status status = renderer_->setEnvironment(session.loader(), map); !status) {
+        if (AoStatus status = renderer_->setEnvironment(session.loader(), map); !status) {
             return status;
         }
     }
@@ -34,11 +34,11 @@ Status LitPicture::prepare(const app::GlSession& session, const Light& light,
     return {};
 }
 
-Status LitPicture::draw(const app::GlSession& session, const Light& light, const glm::mat4& view,
-                        const glm::mat4& projection, const host::HostFramebuffer& target,
-                        TracedPicture& painter) {
+AoStatus LitPicture::draw(const app::GlSession& session, const Light& light, const glm::mat4& view,
+                          const glm::mat4& projection, const host::HostFramebuffer& target,
+                          TracedPicture& painter) {
     const glm::ivec2 pixels(target.settings().width, target.settings().height);
-    if (Status status = prepare(session, light, pixels); !status) {
+    if (AoStatus status = prepare(session, light, pixels); !status) {
         return status;
     }
     renderer_->draw(view, projection, host::LitMethod::SectorsAndSun);

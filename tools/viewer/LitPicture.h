@@ -32,12 +32,12 @@ class LitPicture {
 public:
     /// @param light  ready. @param painter  puts the picture into the target.
     /// Errors: those of LitRenderer and of EnvironmentLight.
-    Status draw(const app::GlSession& session, const Light& light, const glm::mat4& view,
-                const glm::mat4& projection, const host::HostFramebuffer& target,
-                TracedPicture& painter);
+    AoStatus draw(const app::GlSession& session, const Light& light, const glm::mat4& view,
+                  const glm::mat4& projection, const host::HostFramebuffer& target,
+                  TracedPicture& painter);
 
 private:
-    Status prepare(const app::GlSession& session, const Light& light, const glm::ivec2& pixels);
+    AoStatus prepare(const app::GlSession& session, const Light& light, const glm::ivec2& pixels);
 
     std::optional<host::LitRenderer> renderer_;
     Light drawn_;

@@ -14,7 +14,7 @@ void copy(const gl::Functions& gl, const host::HostFramebuffer& from, int x0, in
 
 } // namespace
 
-Status SplitPicture::resize(const glm::ivec2& pixels) {
+AoStatus SplitPicture::resize(const glm::ivec2& pixels) {
     if (left_ && pixels == size_) {
         return {};
     }

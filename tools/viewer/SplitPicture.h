@@ -18,7 +18,7 @@ public:
     explicit SplitPicture(const gl::Functions& gl) : gl_(&gl) {}
 
     /// Makes room; keeps what is there if the size is the same. Errors: as HostFramebuffer's.
-    Status resize(const glm::ivec2& pixels);
+    AoStatus resize(const glm::ivec2& pixels);
     const glm::ivec2& size() const { return size_; }
 
     const host::HostFramebuffer& left() const { return *left_; }

@@ -80,15 +80,15 @@ void StagedScene::drawPlain(const host::HostFramebuffer& target) {
     renderer_.draw(viewMatrix_, projection_);
 }
 
-Status StagedScene::drawShaded(const host::HostFramebuffer& target, const Options& options,
-                               std::vector<bench::PassTime>* measured) {
+AoStatus StagedScene::drawShaded(const host::HostFramebuffer& target, const Options& options,
+                                 std::vector<bench::PassTime>* measured) {
     if (optionTexts(options) != optionTexts(ao_.options())) {
-        if (Status status = ao_.setOptions(options); !status) {
+        if (AoStatus status = ao_.setOptions(options); !status) {
             return status;
         }
         changed_ = true;
     }
-    if (Status status = drawWith(ao_, target, measured); !status) {
+    if (AoStatus status = drawWith(ao_, target, measured); !status) {
         return status;
     }
     if (changed_) {
@@ -98,20 +98,20 @@ Status StagedScene::drawShaded(const host::HostFramebuffer& target, const Option
     return {};
 }
 
-Status StagedScene::drawScreenSpace(const host::HostFramebuffer& target, const Options& options) {
+AoStatus StagedScene::drawScreenSpace(const host::HostFramebuffer& target, const Options& options) {
     const Options wanted = inScreenSpace(options);
     if (!screenSpace_) {
-        if (Status status = openScreenSpace(wanted); !status) {
+        if (AoStatus status = openScreenSpace(wanted); !status) {
             return status;
         }
     }
-    if (Status status = screenSpace_->setOptions(wanted); !status) {
+    if (AoStatus status = screenSpace_->setOptions(wanted); !status) {
         return status;
     }
     return drawWith(*screenSpace_, target, nullptr);
 }
 
-Status StagedScene::openScreenSpace(const Options& options) {
+AoStatus StagedScene::openScreenSpace(const Options& options) {
     Result<AmbientOcclusion> ao = AmbientOcclusion::create(session_->loader(), options);
     if (!ao) {
         return ao.status();
@@ -123,16 +123,16 @@ Status StagedScene::openScreenSpace(const Options& options) {
     return {};
 }
 
-Status StagedScene::drawWith(AmbientOcclusion& ao, const host::HostFramebuffer& target,
-                             std::vector<bench::PassTime>* measured) {
-    if (Status status = ao.aoSetCamera(viewMatrix_, projection_); !status) {
+AoStatus StagedScene::drawWith(AmbientOcclusion& ao, const host::HostFramebuffer& target,
+                               std::vector<bench::PassTime>* measured) {
+    if (AoStatus status = ao.aoSetCamera(viewMatrix_, projection_); !status) {
         return status;
     }
     if (measured != nullptr) {
         finish();
     }
     const Clock::time_point begin = Clock::now();
-    if (Status status = ao.aoDrawBegin(); !status) {
+    if (AoStatus status = ao.aoDrawBegin(); !status) {
         return status;
     }
     drawPlain(target);
@@ -142,7 +142,7 @@ Status StagedScene::drawWith(AmbientOcclusion& ao, const host::HostFramebuffer& 
         hostMs = millisecondsSince(begin);
         timer_->start();
     }
-    const Status status = ao.aoDrawEnd(eye_.x, eye_.y, eye_.z);
+    const AoStatus status = ao.aoDrawEnd(eye_.x, eye_.y, eye_.z);
     if (measured != nullptr) {
         *measured = timer_->stop();
         measured->insert(measured->begin(), {"host", hostMs});

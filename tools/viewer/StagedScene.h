@@ -29,10 +29,10 @@ public:
     /// As the host draws it.
     void drawPlain(const host::HostFramebuffer& target);
     /// Darkened. @param measured  if not null, it gets what each pass took, the GPU waited for.
-    Status drawShaded(const host::HostFramebuffer& target, const Options& options,
-                      std::vector<bench::PassTime>* measured);
+    AoStatus drawShaded(const host::HostFramebuffer& target, const Options& options,
+                        std::vector<bench::PassTime>* measured);
     /// Darkened in screen space by the same options, as far as they have a meaning there.
-    Status drawScreenSpace(const host::HostFramebuffer& target, const Options& options);
+    AoStatus drawScreenSpace(const host::HostFramebuffer& target, const Options& options);
 
     const app::GlSession& session() const { return *session_; }
     /// Of the camera that it looks with.
@@ -53,9 +53,9 @@ public:
 private:
     StagedScene(const app::GlSession& session, bench::PassTimer& timer, app::View view,
                 AmbientOcclusion ao, host::HostRenderer renderer);
-    Status drawWith(AmbientOcclusion& ao, const host::HostFramebuffer& target,
-                    std::vector<bench::PassTime>* measured);
-    Status openScreenSpace(const Options& options);
+    AoStatus drawWith(AmbientOcclusion& ao, const host::HostFramebuffer& target,
+                      std::vector<bench::PassTime>* measured);
+    AoStatus openScreenSpace(const Options& options);
     void finish() const;
 
     const app::GlSession* session_;

@@ -94,7 +94,7 @@ void TruthWorker::work(std::unique_lock<std::mutex>& lock, const std::stop_token
         }
     }
     if (mesh_) {
-        const Status status = buildScene(lock, ending);
+        const AoStatus status = buildScene(lock, ending);
         if (!status && generation == generation_) {
             state_.failure = status.message();
             state_.working = false;
@@ -108,7 +108,8 @@ void TruthWorker::work(std::unique_lock<std::mutex>& lock, const std::stop_token
     tracePass(lock, ending);
 }
 
-Status TruthWorker::buildScene(std::unique_lock<std::mutex>& lock, const std::stop_token& ending) {
+AoStatus TruthWorker::buildScene(std::unique_lock<std::mutex>& lock,
+                                 const std::stop_token& ending) {
     TriangleMesh mesh = std::move(*mesh_);
     mesh_.reset();
     lock.unlock();

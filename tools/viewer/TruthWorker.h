@@ -70,7 +70,7 @@ public:
 private:
     void loop(const std::stop_token& ending);
     void work(std::unique_lock<std::mutex>& lock, const std::stop_token& ending);
-    Status buildScene(std::unique_lock<std::mutex>& lock, const std::stop_token& ending);
+    AoStatus buildScene(std::unique_lock<std::mutex>& lock, const std::stop_token& ending);
     void tracePass(std::unique_lock<std::mutex>& lock, const std::stop_token& ending);
     void change(); ///< after which what is under way is out of date; `mutex_` is held
 

@@ -134,7 +134,7 @@ void Viewer::openScene(const std::string& nameOrPath) {
 
 void Viewer::changeCubeMaps(Command command) {
     AmbientOcclusion& ao = scene_->ao();
-    Status status;
+    AoStatus status;
     if (command == Command::PlaceCubeMap) {
         const Result<CubeMapId> placed = ao.addCubeMap(state_.camera.camera().eye);
         status = placed.status();

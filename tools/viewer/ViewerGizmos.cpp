@@ -44,7 +44,7 @@ void Viewer::followGizmos(const Input& input) {
 /// Placed anew: what it held was seen from elsewhere.
 void Viewer::moveCubeMap(const GizmoDrag::Move& move) {
     AmbientOcclusion& ao = scene_->ao();
-    if (const Status removed = ao.removeCubeMap(move.id); !removed) {
+    if (const AoStatus removed = ao.removeCubeMap(move.id); !removed) {
         return messages_.warn(removed.message());
     }
     Result<CubeMapId> placed = ao.addCubeMap(move.to);

@@ -54,7 +54,7 @@ enum class VertexFit : std::uint8_t {
 /// Settings of baking by rays, on the CPU.
 struct RayOptions {
     int rays = 256;      ///< per receiver, count, 1 to 2^20
-    float radius = 0.0F; ///< reach of occluders, world units; 0 has no end, `falloff` is then None
+    float radius = 0.0F; ///< reach of occluders, world units; 0 has no end, `falloff` is then Off
     Falloff falloff = Falloff::Step; ///< weight of an occluder by its distance
     Sampling sampling = Sampling::Stratified;
     Measure measure = Measure::Cosine;

@@ -37,6 +37,6 @@ AOLIB_LIGHTING_EXPORT EnvironmentMap turned(const EnvironmentMap& map, float tur
 
 /// Whether a map is what EnvironmentMap promises.
 /// Errors: InvalidOption, with the sizes or the texel. Since 0.1.
-AOLIB_LIGHTING_EXPORT Status checkEnvironment(const EnvironmentMap& map);
+AOLIB_LIGHTING_EXPORT AoStatus checkEnvironment(const EnvironmentMap& map);
 
 } // namespace aolib::lighting

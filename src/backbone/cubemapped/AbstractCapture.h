@@ -26,7 +26,7 @@ public:
     /// Whether the next unit needs something that the GPU has not answered yet: step() then waits.
     virtual bool waits() const { return false; }
     /// Does the next unit. Errors: MissingCapability, OutOfMemory.
-    virtual Status step() = 0;
+    virtual AoStatus step() = 0;
 
     /// Makes a complete capture readable and sets the uniforms of its view.
     virtual void bind(gl::GLSLShader& shader) const = 0;

@@ -35,7 +35,7 @@ public:
     /// Goes on with the view it was last called with, or with the first after a restart.
     /// @param milliseconds  that it may take, as far as can be told beforehand; infinite: to the
     /// end
-    virtual Status advance(const RestingView& view, FoundPixels& found, double milliseconds) = 0;
+    virtual AoStatus advance(const RestingView& view, FoundPixels& found, double milliseconds) = 0;
     /// Whether nothing is left to do for the view.
     virtual bool done() const = 0;
     /// GPU memory that it holds until then.

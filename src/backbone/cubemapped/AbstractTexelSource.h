@@ -21,12 +21,12 @@ public:
     /// Passes until a tile is complete.
     virtual int passes() const = 0;
     /// Computes all that is asked for of one cube map before it returns.
-    virtual Status complete(CubeMapProjector& projector) = 0;
+    virtual AoStatus complete(CubeMapProjector& projector) = 0;
     /// Goes on with these, the first ones first.
     /// @param milliseconds  that it may take, as far as can be told beforehand; one unit of work is
     ///                      done in any case.
-    virtual Status advance(const std::vector<CubeMapProjector*>& projectors,
-                           double milliseconds) = 0;
+    virtual AoStatus advance(const std::vector<CubeMapProjector*>& projectors,
+                             double milliseconds) = 0;
     /// Whether something that is asked for is still to be computed.
     virtual bool lacks(const CubeMapProjector& projector) const {
         return projector.tiles.lacks(passes());

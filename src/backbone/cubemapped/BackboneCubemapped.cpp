@@ -21,7 +21,7 @@ constexpr std::uint64_t kSurveyEveryAtRest = 8;
 constexpr std::uint64_t kSurveyEveryMoving = 3;
 
 template <typename Part>
-Status make(std::optional<Part>& part, const BackboneContext& context) {
+AoStatus make(std::optional<Part>& part, const BackboneContext& context) {
     Result<Part> created = Part::create(context);
     if (created) {
         part = std::move(*created);
@@ -29,7 +29,7 @@ Status make(std::optional<Part>& part, const BackboneContext& context) {
     return created.status();
 }
 
-Status unknown(CubeMapId id) {
+AoStatus unknown(CubeMapId id) {
     return {StatusCode::UnknownCubeMap,
             "no cube map has the id " + std::to_string(static_cast<std::uint32_t>(id))};
 }
@@ -39,7 +39,7 @@ Status unknown(CubeMapId id) {
 Result<std::unique_ptr<AbstractBackbone>>
 BackboneCubemapped::create(const BackboneContext& context) {
     std::unique_ptr<BackboneCubemapped> backbone(new BackboneCubemapped(context));
-    Status status = backbone->initialise();
+    AoStatus status = backbone->initialise();
     const auto then = [&](auto& part) {
         if (status) {
             status = make(part, context);
@@ -63,14 +63,14 @@ BackboneCubemapped::create(const BackboneContext& context) {
 
 Result<CubeMapId> BackboneCubemapped::addCubeMap(const glm::vec3& position) {
     if (context_.scene.empty()) {
-        return Status(StatusCode::NoScene,
-                      "there are no triangles to place a cube map among; describe a mesh first");
+        return AoStatus(StatusCode::NoScene,
+                        "there are no triangles to place a cube map among; describe a mesh first");
     }
     cubeMaps_.followOptions();
-    if (Status status = followScene(); !status) {
+    if (AoStatus status = followScene(); !status) {
         return status;
     }
-    if (Status status = cubeMaps_.makeRoomAtOnce(); !status) {
+    if (AoStatus status = cubeMaps_.makeRoomAtOnce(); !status) {
         return status;
     }
     return place(position, /*byHand=*/true);
@@ -83,7 +83,7 @@ Result<CubeMapId> BackboneCubemapped::place(const glm::vec3& position, bool byHa
     }
     const CubeMapId id = (*placed)->id();
     if (schedule_.atOnce()) {
-        if (Status status = schedule_.compute({*placed}); !status) {
+        if (AoStatus status = schedule_.compute({*placed}); !status) {
             cubeMaps_.remove(**placed);
             return status;
         }
@@ -92,7 +92,7 @@ Result<CubeMapId> BackboneCubemapped::place(const glm::vec3& position, bool byHa
     return id;
 }
 
-Status BackboneCubemapped::removeCubeMap(CubeMapId id) {
+AoStatus BackboneCubemapped::removeCubeMap(CubeMapId id) {
     CubeMapProjector* projector = cubeMaps_.find(id);
     if (projector == nullptr) {
         return unknown(id);
@@ -101,7 +101,7 @@ Status BackboneCubemapped::removeCubeMap(CubeMapId id) {
     return {};
 }
 
-Status BackboneCubemapped::clear() {
+AoStatus BackboneCubemapped::clear() {
     while (!cubeMaps_.all().empty()) {
         cubeMaps_.remove(*cubeMaps_.all().back());
     }
@@ -165,7 +165,7 @@ void BackboneCubemapped::optionsChanged(const Options& before) {
     }
 }
 
-Status BackboneCubemapped::followScene() {
+AoStatus BackboneCubemapped::followScene() {
     const std::vector<Scene::Change> changes = context_.scene.takeChanges();
     if (!changes.empty()) {
         schedule_.sceneChanged();
@@ -173,8 +173,9 @@ Status BackboneCubemapped::followScene() {
     }
     if (context_.options.estimator == Estimator::RayTraced) {
         sceneGeometry_.forget(changes); // rays need no triangles on the GPU
-    } else if (Status status = sceneGeometry_.update(context_.gl, context_.scene, changes,
-                                                     traitsOf(context_.options.estimator).layered);
+    } else if (AoStatus status =
+                   sceneGeometry_.update(context_.gl, context_.scene, changes,
+                                         traitsOf(context_.options.estimator).layered);
                !status) {
         markAllDirty(); // the changes are taken and will not come again
         return status;
@@ -206,7 +207,7 @@ Status BackboneCubemapped::followScene() {
 
 // ---- Frame --------------------------------------------------------------------------------------
 
-Status BackboneCubemapped::placeWhereDue(const Frame& frame) {
+AoStatus BackboneCubemapped::placeWhereDue(const Frame& frame) {
     const CubeMapOptions& options = context_.options.cubeMaps;
     if (!options.place || context_.scene.empty()) {
         return {};
@@ -222,7 +223,7 @@ Status BackboneCubemapped::placeWhereDue(const Frame& frame) {
     return cubeMaps_.makeRoom(Eviction::For::Newcomer, cubeMaps_.nearest(frame.position),
                               schedule_.atOnce())
                ? place(frame.position, /*byHand=*/false).status()
-               : Status();
+               : AoStatus();
 }
 
 void BackboneCubemapped::heedSurvey(const std::vector<CubeMapProjector*>& projectors) {
@@ -239,17 +240,17 @@ void BackboneCubemapped::heedSurvey(const std::vector<CubeMapProjector*>& projec
     coverageToCome_ = requestTiles(projectors, *answer, cubeMaps_.blocks(), schedule_.passes());
 }
 
-Status BackboneCubemapped::prepare(const Frame& frame) {
+AoStatus BackboneCubemapped::prepare(const Frame& frame) {
     schedule_.beginFrame();
     projected_.clear();
     repairStatus_ = {};
     cubeMaps_.followOptions();
-    if (Status status = followScene(); !status) {
+    if (AoStatus status = followScene(); !status) {
         return status;
     }
     heedSurvey(cubeMaps_.nearest(frame.position));
     cubeMaps_.evictWhereDue(cubeMaps_.nearest(frame.position), schedule_.atOnce());
-    if (Status status = placeWhereDue(frame); !status) {
+    if (AoStatus status = placeWhereDue(frame); !status) {
         return status;
     }
     if (context_.scene.empty()) {
@@ -261,7 +262,7 @@ Status BackboneCubemapped::prepare(const Frame& frame) {
     for (CubeMapProjector* projector : used) {
         projector->tiles.setFrame(frames_);
     }
-    if (Status status = schedule_.compute(used); !status) {
+    if (AoStatus status = schedule_.compute(used); !status) {
         return status;
     }
     if (schedule_.begun() > 0) {
@@ -322,9 +323,9 @@ bool BackboneCubemapped::fallsBack() const {
     return Fallback::due(context_, any ? shownSurvey_.shaded : 0.0F, any && schedule_.atOnce());
 }
 
-Status BackboneCubemapped::shadeDirectly(const Frame& frame) {
+AoStatus BackboneCubemapped::shadeDirectly(const Frame& frame) {
     if (!fallsBack()) {
-        return projected_.empty() ? Status()
+        return projected_.empty() ? AoStatus()
                                   : projection_->shade(context_, frame, host_, kept(), projected_);
     }
     const auto told = projection_->tell(context_, frame, host_, kept(), projected_);
@@ -357,7 +358,7 @@ std::uint64_t BackboneCubemapped::framesToSurvey() const {
     return latestSurvey_ && !repair_.rests() ? kSurveyEveryMoving : 1;
 }
 
-Status BackboneCubemapped::finishFrame(const Frame& frame) {
+AoStatus BackboneCubemapped::finishFrame(const Frame& frame) {
     ++frames_;
     if (frames_ % framesToSurvey() == 0) {
         survey_->take(context_, frame, host_, {cubeMaps_.store(), cubeMaps_.blocks()}, projected_,

@@ -30,8 +30,8 @@ public:
     void dropTracer() override;
     void rendererChanged() override { markAllDirty(); }
     Result<CubeMapId> addCubeMap(const glm::vec3& position) override;
-    Status removeCubeMap(CubeMapId id) override;
-    Status clear() override;
+    AoStatus removeCubeMap(CubeMapId id) override;
+    AoStatus clear() override;
     std::vector<CubeMapInfo> cubeMaps() override;
     Result<CubeMapImage> readCubeMap(CubeMapId id) override;
 
@@ -42,18 +42,18 @@ private:
           schedule_(context, sceneGeometry_, cubeMaps_.store(), cubeMaps_.blocks(),
                     [this] { return radius(); }) {}
 
-    Status prepare(const Frame& frame) override;
+    AoStatus prepare(const Frame& frame) override;
     bool shadesDirectly() const override;
-    Status shadeDirectly(const Frame& frame) override;
+    AoStatus shadeDirectly(const Frame& frame) override;
     Result<const gl::RenderToTexture2D*> computeVisibility(const Frame& frame) override;
     void fillIn(const Frame& frame, const gl::RenderToTexture2D& projected,
                 const gl::RenderToTexture2D& visibility) override;
     bool noisy() const override;
-    Status finishFrame(const Frame& frame) override;
+    AoStatus finishFrame(const Frame& frame) override;
     void addStatistics(Statistics& statistics) override;
 
     /// Follows the scene: uploads, and marks the cube maps that see a change.
-    Status followScene();
+    AoStatus followScene();
     void markAllDirty();
     void cubeMapsChanged();
     /// One is about to go.
@@ -61,7 +61,7 @@ private:
     /// Places a cube map; there is room for it.
     Result<CubeMapId> place(const glm::vec3& position, bool byHand);
     /// Places a cube map at the camera if one is due.
-    Status placeWhereDue(const Frame& frame);
+    AoStatus placeWhereDue(const Frame& frame);
     /// The latest survey saw this view, as it is now that nothing is left to compute.
     bool nothingToSurvey() const;
     /// From one survey to the next.
@@ -78,7 +78,7 @@ private:
     CubeMaps cubeMaps_;
     BuildSchedule schedule_;
     ViewRepair repair_;
-    Status repairStatus_; ///< of the latest frame
+    AoStatus repairStatus_; ///< of the latest frame
     std::optional<Projection> projection_;
     std::optional<Fallback> fallback_;
     std::optional<Survey> survey_;

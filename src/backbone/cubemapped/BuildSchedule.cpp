@@ -19,12 +19,12 @@ constexpr int kFramesToComeIn = 32;
 
 // ---- Where texels and pixels come from ----------------------------------------------------------
 
-Status BuildSchedule::chooseSource() {
-    const Status status = chooseTexels();
+AoStatus BuildSchedule::chooseSource() {
+    const AoStatus status = chooseTexels();
     return status ? choosePixels() : status;
 }
 
-Status BuildSchedule::chooseTexels() {
+AoStatus BuildSchedule::chooseTexels() {
     if (context_.options.estimator == Estimator::RayTraced) {
         if (!context_.tracer) {
             return {StatusCode::MissingCapability,
@@ -56,7 +56,7 @@ Status BuildSchedule::chooseTexels() {
     return {};
 }
 
-Status BuildSchedule::choosePixels() {
+AoStatus BuildSchedule::choosePixels() {
     pixels_ = nullptr;
     const bool traced = tracesPixels();
     const bool layered = context_.options.estimator == Estimator::LayeredIntervals &&
@@ -128,8 +128,8 @@ void BuildSchedule::forget(CubeMapId id) {
 
 // ---- When they are computed ---------------------------------------------------------------------
 
-Status BuildSchedule::compute(const std::vector<CubeMapProjector*>& projectors) {
-    if (Status status = chooseSource(); !status) {
+AoStatus BuildSchedule::compute(const std::vector<CubeMapProjector*>& projectors) {
+    if (AoStatus status = chooseSource(); !status) {
         return status;
     }
     for (CubeMapProjector* projector : projectors) {
@@ -140,13 +140,13 @@ Status BuildSchedule::compute(const std::vector<CubeMapProjector*>& projectors) 
         }
         if (atOnce() && (begins || source_->lacks(*projector))) {
             projector->tiles.askAll();
-            if (Status status = source_->complete(*projector); !status) {
+            if (AoStatus status = source_->complete(*projector); !status) {
                 return status;
             }
         }
         projector->dirty = false;
     }
-    const Status status = atOnce() ? Status() : advance(projectors);
+    const AoStatus status = atOnce() ? AoStatus() : advance(projectors);
     for (CubeMapProjector* projector : projectors) {
         bringIn(*projector);
     }
@@ -162,11 +162,12 @@ void BuildSchedule::begin(CubeMapProjector& projector) {
     ++begun_;
 }
 
-Status BuildSchedule::advance(const std::vector<CubeMapProjector*>& projectors) {
+AoStatus BuildSchedule::advance(const std::vector<CubeMapProjector*>& projectors) {
     const auto lacking = std::find_if(projectors.begin(), projectors.end(),
                                       [&](const auto* one) { return source_->lacks(*one); });
     const auto start = std::chrono::steady_clock::now();
-    Status status = source_->advance(projectors, static_cast<double>(context_.options.frameBudget));
+    AoStatus status =
+        source_->advance(projectors, static_cast<double>(context_.options.frameBudget));
     if (lacking != projectors.end()) { // the one that is worked on
         const std::chrono::duration<double, std::milli> spent =
             std::chrono::steady_clock::now() - start;

@@ -23,7 +23,7 @@ public:
 
     /// Makes the sources that the options' estimator takes its texels and pixels from.
     /// Errors: ShaderError, OutOfMemory, MissingCapability.
-    Status chooseSource();
+    AoStatus chooseSource();
     /// The scene is another.
     void sceneChanged();
     /// Something has changed within a region that a cube map does not see.
@@ -41,7 +41,7 @@ public:
     /// Computes what cube maps lack, the first ones first: all of it, or as much as the budget
     /// allows. Lets those that are complete come in over a few frames.
     /// Errors: as chooseSource(), and those of the source.
-    Status compute(const std::vector<CubeMapProjector*>& projectors);
+    AoStatus compute(const std::vector<CubeMapProjector*>& projectors);
     /// Whether nothing is left to do for a cube map.
     bool finished(const CubeMapProjector& projector) const;
     /// Passes that a tile needs.
@@ -53,12 +53,12 @@ public:
     std::size_t bytes() const { return raster_ ? raster_->bytes() : 0; }
 
 private:
-    Status chooseTexels();
-    Status choosePixels();
+    AoStatus chooseTexels();
+    AoStatus choosePixels();
     void askTracer();
     bool tracesPixels() const;
     void begin(CubeMapProjector& projector);
-    Status advance(const std::vector<CubeMapProjector*>& projectors);
+    AoStatus advance(const std::vector<CubeMapProjector*>& projectors);
     void bringIn(CubeMapProjector& projector) const;
 
     const BackboneContext context_;

@@ -38,7 +38,7 @@ void CubeMapProjector::spanDistances(FaceStore& store, float nearest, float fart
     depthCode_ = shared::distanceSpan(nearest_, farthest_);
 }
 
-Status CubeMapProjector::keepFace(FaceStore& store, int face) {
+AoStatus CubeMapProjector::keepFace(FaceStore& store, int face) {
     if (keeps(face)) {
         return {};
     }
@@ -49,11 +49,11 @@ Status CubeMapProjector::keepFace(FaceStore& store, int face) {
     return layer.status();
 }
 
-Status CubeMapProjector::keepFaces(FaceStore& store, const std::array<bool, kFaces>& modelled) {
+AoStatus CubeMapProjector::keepFaces(FaceStore& store, const std::array<bool, kFaces>& modelled) {
     for (int face = 0; face < kFaces; ++face) {
         if (!modelled[static_cast<std::size_t>(face)]) {
             dropFace(store, face);
-        } else if (Status status = keepFace(store, face); !status) {
+        } else if (AoStatus status = keepFace(store, face); !status) {
             return status;
         }
     }

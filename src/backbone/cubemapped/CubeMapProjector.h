@@ -46,9 +46,9 @@ public:
     void spanDistances(FaceStore& store, float nearest, float farthest);
 
     /// Makes room for a face that holds geometry. Errors: as FaceStore::take().
-    Status keepFace(FaceStore& store, int face);
+    AoStatus keepFace(FaceStore& store, int face);
     /// The same for all of them; those without geometry are given back.
-    Status keepFaces(FaceStore& store, const std::array<bool, kFaces>& modelled);
+    AoStatus keepFaces(FaceStore& store, const std::array<bool, kFaces>& modelled);
     /// Gives all layers back; nothing is known any more.
     void dropFaces(FaceStore& store);
     void dropFace(FaceStore& store, int face);

@@ -95,7 +95,7 @@ void CubeMaps::remove(CubeMapProjector& projector) {
     allowBlocks(); // there may be room for it now
 }
 
-Status CubeMaps::makeRoomAtOnce() {
+AoStatus CubeMaps::makeRoomAtOnce() {
     if (makeRoom(Eviction::For::Newcomer, {}, /*atOnce=*/true)) {
         return {};
     }

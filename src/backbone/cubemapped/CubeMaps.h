@@ -42,7 +42,7 @@ public:
     void remove(CubeMapProjector& projector);
 
     /// Makes room for one more. Errors: OutOfMemory (those placed by hand take all of it).
-    Status makeRoomAtOnce();
+    AoStatus makeRoomAtOnce();
     /// Makes room within some frames: what is in view fades out before it goes.
     /// @param used    by the frame.
     /// @param atOnce  nothing fades.

@@ -49,7 +49,7 @@ Result<DeferredShading> DeferredShading::create(const BackboneContext& context) 
     DeferredShading shading;
     shading.capture_ = std::move(*capture);
     shading.peeling_ = std::move(*peeling);
-    if (Status status = shading.chooseEstimator(context); !status) {
+    if (AoStatus status = shading.chooseEstimator(context); !status) {
         return status;
     }
     return shading;
@@ -59,7 +59,7 @@ int DeferredShading::passes(const Options& options) {
     return options.estimator == Estimator::LayeredIntervals ? options.layeredIntervals.slices : 1;
 }
 
-Status DeferredShading::chooseEstimator(const BackboneContext& context) {
+AoStatus DeferredShading::chooseEstimator(const BackboneContext& context) {
     const Estimator estimator = context.options.estimator;
     if (estimator_ == estimator || estimator == Estimator::RayTraced) {
         return {};
@@ -89,16 +89,16 @@ DeferredShading::surroundings(const BackboneContext& context, const SceneGeometr
                               const glm::dvec3& centre, int faceSize,
                               const std::optional<ViewFace>& view) {
     if (context.scene.empty()) {
-        return Status(StatusCode::NoScene,
-                      "there are no triangles to place a cube map among; describe a mesh first");
+        return AoStatus(StatusCode::NoScene,
+                        "there are no triangles to place a cube map among; describe a mesh first");
     }
-    if (Status status = chooseEstimator(context); !status) {
+    if (AoStatus status = chooseEstimator(context); !status) {
         return status;
     }
     const bool layered = traitsOf(*estimator_).layered;
     const glm::vec3 position(centre);
     if (context.renderer) {
-        if (Status status = drawn_.build(context, layered); !status) {
+        if (AoStatus status = drawn_.build(context, layered); !status) {
             return status;
         }
         const DistanceRange range = DrawnCapture::distanceRange(context.scene, position);
@@ -129,15 +129,15 @@ Result<CubeMapCapture> DeferredShading::begin(const BackboneContext& context,
     return capture;
 }
 
-Status DeferredShading::step(const BackboneContext& context, CubeMapCapture& capture,
-                             CubeMapProjector& projector, FaceStore& store) {
+AoStatus DeferredShading::step(const BackboneContext& context, CubeMapCapture& capture,
+                               CubeMapProjector& projector, FaceStore& store) {
     if (!capture.geometry->complete()) {
         return capture.geometry->step();
     }
     if (capture.accumulated) {
         projector.captured = capture.geometry->layers();
         projector.captureBytes = std::max(capture.geometry->mostBytes(), capture.bytes());
-        const Status status = projector.keepFaces(store, capture.geometry->modelled());
+        const AoStatus status = projector.keepFaces(store, capture.geometry->modelled());
         capture.ready = status.ok();
         return status;
     }
@@ -213,11 +213,11 @@ void DeferredShading::resolve(const BackboneContext& context, const CubeMapCaptu
     keep(context, capture, projector, {region.face, 0, origin}, capture.accumulated, {}, share);
 }
 
-Status DeferredShading::accumulateBehind(const BackboneContext& context, CubeMapCapture& capture,
-                                         float radius, const TileProgress::Region& region,
-                                         int layer, int pass) {
+AoStatus DeferredShading::accumulateBehind(const BackboneContext& context, CubeMapCapture& capture,
+                                           float radius, const TileProgress::Region& region,
+                                           int layer, int pass) {
     constexpr int kEdge = TileProgress::kTile + 2 * kApron;
-    if (Status status =
+    if (AoStatus status =
             capture.behind.become(context.gl, {.width = kEdge,
                                                .height = kEdge,
                                                .targets = {gl::RenderToTexture2D::Format::RG32F},

@@ -53,8 +53,8 @@ public:
     /// The next unit of a capture that is not ready; the last ones make room for what is computed,
     /// and for the faces that hold geometry. Waits if the capture does. Errors: MissingCapability,
     /// OutOfMemory.
-    static Status step(const BackboneContext& context, CubeMapCapture& capture,
-                       CubeMapProjector& projector, FaceStore& store);
+    static AoStatus step(const BackboneContext& context, CubeMapCapture& capture,
+                         CubeMapProjector& projector, FaceStore& store);
     /// Adds passes [first, first + count) to the texels of a region.
     /// @param radius  reach of occluders, world units.
     void accumulate(const BackboneContext& context, const CubeMapCapture& capture, float radius,
@@ -66,8 +66,8 @@ public:
 
     /// A pass over the surfaces of a tile that lie behind `layer` others, from pass 0 to the last
     /// one before those of another tile or layer. Errors: OutOfMemory, MissingCapability.
-    Status accumulateBehind(const BackboneContext& context, CubeMapCapture& capture, float radius,
-                            const TileProgress::Region& region, int layer, int pass);
+    AoStatus accumulateBehind(const BackboneContext& context, CubeMapCapture& capture, float radius,
+                              const TileProgress::Region& region, int layer, int pass);
     /// Writes what all passes have found of them to a block.
     void resolveBehind(const BackboneContext& context, const CubeMapCapture& capture,
                        const CubeMapProjector& projector, const BlockStore& blocks, int block,
@@ -85,7 +85,7 @@ private:
     void keep(const BackboneContext& context, const CubeMapCapture& capture,
               const CubeMapProjector& projector, const Receivers& receivers,
               const gl::RenderToTexture2D& accumulated, const glm::ivec2& keptOrigin, float share);
-    Status chooseEstimator(const BackboneContext& context);
+    AoStatus chooseEstimator(const BackboneContext& context);
 
     gl::GLSLShader capture_;
     LayerPeeling peeling_;

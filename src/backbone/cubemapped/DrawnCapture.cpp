@@ -43,7 +43,7 @@ float thickness(const BackboneContext& context) {
 
 } // namespace
 
-Status DrawnCapture::Shaders::build(const BackboneContext& context, bool asIntervals) {
+AoStatus DrawnCapture::Shaders::build(const BackboneContext& context, bool asIntervals) {
     std::optional<gl::GLSLShader>& wanted = asIntervals ? intervals : nearest;
     if (wanted) {
         return {};
@@ -67,8 +67,8 @@ std::size_t DrawnCapture::bytes() const {
     return (depth_ ? depth_.bytes() : 0) + (nearest_ ? nearest_.bytes() : 0) + intervals_.bytes();
 }
 
-Status DrawnCapture::makeTargets() {
-    Status status;
+AoStatus DrawnCapture::makeTargets() {
+    AoStatus status;
     if (asIntervals_) {
         auto made = gl::TextureStack::create(context_.gl, {.width = size_,
                                                            .height = size_,
@@ -108,7 +108,7 @@ Status DrawnCapture::makeTargets() {
     return depth.status();
 }
 
-Status DrawnCapture::drawFace(const FaceView& view) const {
+AoStatus DrawnCapture::drawFace(const FaceView& view) const {
     const gl::Functions& gl = context_.gl;
     // The callback may leave any state: what it finds, a clean slate, is put back after it.
     const gl::StateGuard guard(gl);
@@ -127,7 +127,7 @@ Status DrawnCapture::drawFace(const FaceView& view) const {
     return {};
 }
 
-Status DrawnCapture::convertFace(const FaceView& view) {
+AoStatus DrawnCapture::convertFace(const FaceView& view) {
     const auto camera = HostCamera::create(view.view, view.projection);
     if (!camera) {
         return camera.status();
@@ -151,14 +151,14 @@ Status DrawnCapture::convertFace(const FaceView& view) {
     return {};
 }
 
-Status DrawnCapture::step() {
+AoStatus DrawnCapture::step() {
     const gl::DebugGroup group(context_.gl, "aolib: a face that the host draws");
     if (!depth_) {
         return makeTargets();
     }
     if (reachesFace(context_.scene.bounds(), centre_, face_)) {
         const FaceView view = viewOf(centre_, face_, size_, range_);
-        Status status = drawFace(view);
+        AoStatus status = drawFace(view);
         if (status) {
             status = convertFace(view);
         }

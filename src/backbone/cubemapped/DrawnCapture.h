@@ -19,7 +19,7 @@ public:
         std::optional<gl::GLSLShader> intervals; ///< entry (-1 none), exit, octahedral normal
 
         /// Errors: ShaderError.
-        Status build(const BackboneContext& context, bool asIntervals);
+        AoStatus build(const BackboneContext& context, bool asIntervals);
     };
 
     /// The distances that a capture from `centre` holds: what is nearer is clipped.
@@ -35,7 +35,7 @@ public:
     bool complete() const override { return face_ == kFaces; }
     WorkUnit next() const override { return depth_ ? WorkUnit::Draw : WorkUnit::Prepare; }
     /// Errors: CallbackFailed, MissingCapability, OutOfMemory.
-    Status step() override;
+    AoStatus step() override;
     void bind(gl::GLSLShader& shader) const override;
     std::array<bool, kFaces> modelled() const override { return modelled_; }
     int layers() const override { return 1; }
@@ -43,9 +43,9 @@ public:
     std::size_t mostBytes() const override { return mostBytes_; }
 
 private:
-    Status makeTargets();
-    Status drawFace(const FaceView& view) const;
-    Status convertFace(const FaceView& view);
+    AoStatus makeTargets();
+    AoStatus drawFace(const FaceView& view) const;
+    AoStatus convertFace(const FaceView& view);
 
     const BackboneContext& context_;
     const glm::vec3 centre_;

@@ -31,7 +31,7 @@ bool FaceStore::reserve() {
     return room;
 }
 
-Status FaceStore::grow() {
+AoStatus FaceStore::grow() {
     const int layers = std::min(slots_.count() + kGrowth, limit_);
     if (layers <= slots_.count()) {
         return {StatusCode::OutOfMemory, "aolib/faces: all " + std::to_string(limit_) +
@@ -74,9 +74,9 @@ Status FaceStore::grow() {
 
 Result<int> FaceStore::take() {
     if (spare() < 1) {
-        return Status(StatusCode::OutOfMemory,
-                      "aolib/faces: all " + std::to_string(limit_) +
-                          " layers that there is room for are taken or set aside");
+        return AoStatus(StatusCode::OutOfMemory,
+                        "aolib/faces: all " + std::to_string(limit_) +
+                            " layers that there is room for are taken or set aside");
     }
     const auto layer = takeReserved();
     unreserved_ += layer ? 1 : 0;
@@ -91,7 +91,7 @@ void FaceStore::giveBack(int layer) {
 Result<int> FaceStore::takeReserved() {
     std::optional<int> taken = slots_.take();
     if (!taken) {
-        if (Status status = grow(); !status) {
+        if (AoStatus status = grow(); !status) {
             return status;
         }
         taken = slots_.take();

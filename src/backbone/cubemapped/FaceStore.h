@@ -90,7 +90,7 @@ private:
     static constexpr int tilesPerEdge(int faceSize) {
         return (faceSize + TileProgress::kTile - 1) / TileProgress::kTile;
     }
-    Status grow();
+    AoStatus grow();
 
     const gl::Functions* gl_;
     int faceSize_ = 0;

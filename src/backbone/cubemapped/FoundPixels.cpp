@@ -5,7 +5,7 @@
 
 namespace aolib {
 
-Status FoundPixels::makeRoom(const gl::Functions& gl, const glm::ivec2& size) {
+AoStatus FoundPixels::makeRoom(const gl::Functions& gl, const glm::ivec2& size) {
     if (texture_) {
         return {};
     }

@@ -17,7 +17,7 @@ public:
     static constexpr glm::vec2 kNothing{1.0F, -1.0F};
 
     /// Makes room, with nothing found, unless there is. Errors: OutOfMemory.
-    Status makeRoom(const gl::Functions& gl, const glm::ivec2& size);
+    AoStatus makeRoom(const gl::Functions& gl, const glm::ivec2& size);
     /// Forgets all.
     void drop();
 

@@ -21,7 +21,7 @@ using Depth = gl::RenderToTexture2D::Depth;
 constexpr double kShareOfCracks = 0.02;
 constexpr int kViewUnit = 3; ///< texture unit of the view's layers
 
-Status notShown() {
+AoStatus notShown() {
     return {StatusCode::OutOfMemory, "aolib/peel: GL does not show what was read back"};
 }
 
@@ -59,9 +59,9 @@ bool LayerCapture::waits() const {
     return readback.pending() && !readback.arrived();
 }
 
-Status LayerCapture::step() {
+AoStatus LayerCapture::step() {
     const gl::DebugGroup group(context_.gl, "aolib: peel layers");
-    Status status;
+    AoStatus status;
     switch (stage_) {
     case Stage::Targets:
         status = makeTargets();
@@ -103,9 +103,9 @@ void LayerCapture::nextFace() {
     }
 }
 
-Status LayerCapture::makeTargets() {
+AoStatus LayerCapture::makeTargets() {
     targets_.emplace();
-    Status status = makeTargets((*targets_)[0], glm::ivec2(faces_.size()), kFaces);
+    AoStatus status = makeTargets((*targets_)[0], glm::ivec2(faces_.size()), kFaces);
     if (status && faces_.view()) {
         status = makeTargets((*targets_)[1], faces_.view()->size, 1);
     }
@@ -114,8 +114,8 @@ Status LayerCapture::makeTargets() {
     return status;
 }
 
-Status LayerCapture::makeTargets(Targets& made, const glm::ivec2& size, std::size_t faces) const {
-    Status status;
+AoStatus LayerCapture::makeTargets(Targets& made, const glm::ivec2& size, std::size_t faces) const {
+    AoStatus status;
     const auto make = [&](gl::RenderToTexture2D& target, Format format, Depth depth,
                           const char* label) {
         if (!status) {
@@ -158,7 +158,7 @@ void LayerCapture::drawSides() {
     nextFace();
 }
 
-Status LayerCapture::readSides() {
+AoStatus LayerCapture::readSides() {
     if (readback().pending() && !readback().finish([&](std::span<const std::uint8_t> bytes) {
             std::vector<float> texels(bytes.size() / sizeof(float));
             std::memcpy(texels.data(), bytes.data(), bytes.size());
@@ -211,7 +211,7 @@ void LayerCapture::drawCount() {
     nextFace();
 }
 
-Status LayerCapture::readCount() {
+AoStatus LayerCapture::readCount() {
     if (readback().pending() && !readback().finish([&](std::span<const std::uint8_t> bytes) {
             const auto texels = bytes.first(bytes.size() / sizeof(float));
             const int deepest = *std::max_element(texels.begin(), texels.end());
@@ -223,7 +223,7 @@ Status LayerCapture::readCount() {
     return {};
 }
 
-Status LayerCapture::makeLayers() {
+AoStatus LayerCapture::makeLayers() {
     const std::array<int, 2> wanted{firstLayer(kFaces), counts_.back()};
     for (std::size_t i = 0; i < wanted.size(); ++i) {
         const glm::ivec2 size =

@@ -27,7 +27,7 @@ public:
     bool complete() const override { return stage_ == Stage::Complete; }
     WorkUnit next() const override;
     bool waits() const override;
-    Status step() override;
+    AoStatus step() override;
     void bind(gl::GLSLShader& shader) const override;
     std::array<bool, kFaces> modelled() const override;
     int layersOf(int face) const override { return counts_[static_cast<std::size_t>(face)]; }
@@ -56,15 +56,15 @@ private:
     /// Faces of the cube, and the view's, have targets and layers of their own size.
     static std::size_t sizeOf(int face) { return face < kFaces ? 0 : 1; }
 
-    Status makeTargets();
-    Status makeTargets(Targets& made, const glm::ivec2& size, std::size_t faces) const;
+    AoStatus makeTargets();
+    AoStatus makeTargets(Targets& made, const glm::ivec2& size, std::size_t faces) const;
     Targets& targets() { return (*targets_)[sizeOf(face_)]; }
     gl::PixelReadback& readback() { return targets().readbacks[face_ < kFaces ? at() : 0]; }
     void drawSides();
-    Status readSides();
+    AoStatus readSides();
     void drawCount();
-    Status readCount();
-    Status makeLayers();
+    AoStatus readCount();
+    AoStatus makeLayers();
     /// Half a layer of a face.
     void peel();
     int firstLayer(int face) const;

@@ -32,7 +32,7 @@ void setMarks(gl::GLSLShader& shader, const LayerPeeling::Marks& marks) {
 Result<LayerPeeling> LayerPeeling::create(const BackboneContext& context) {
     LayerPeeling peeling;
     peeling.gl_ = &context.gl;
-    Status status;
+    AoStatus status;
     const auto build = [&](gl::GLSLShader& shader, const char* vertex, const char* fragment) {
         if (!status) {
             return;

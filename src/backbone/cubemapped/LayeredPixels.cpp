@@ -94,10 +94,10 @@ std::size_t LayeredPixels::bytes() const {
 
 // ---- Within a budget ----------------------------------------------------------------------------
 
-Status LayeredPixels::advance(const RestingView& view, FoundPixels& found, double milliseconds) {
+AoStatus LayeredPixels::advance(const RestingView& view, FoundPixels& found, double milliseconds) {
     const bool toTheEnd = std::isinf(milliseconds);
     if (stage_ == Stage::Begin) {
-        if (Status status = begin(view); !status) {
+        if (AoStatus status = begin(view); !status) {
             return status;
         }
     }
@@ -139,7 +139,7 @@ WorkUnit LayeredPixels::next() const {
 
 Result<int> LayeredPixels::step(const RestingView& view, FoundPixels& found, int most) {
     const gl::DebugGroup group(view.context.gl, "aolib: pixels of a view at rest");
-    Status status;
+    AoStatus status;
     switch (stage_) {
     case Stage::Capture:
         status = work_->around.capture->step();
@@ -162,7 +162,7 @@ Result<int> LayeredPixels::step(const RestingView& view, FoundPixels& found, int
 
 // ---- What pixels see ----------------------------------------------------------------------------
 
-Status LayeredPixels::begin(const RestingView& view) {
+AoStatus LayeredPixels::begin(const RestingView& view) {
     const bool orthographic = view.frame.camera.projection()[2][3] == 0.0;
     const std::int64_t pixels = std::int64_t{view.frame.size.x} * view.frame.size.y;
     if (orthographic || pixels > kMostPixels) { // rays that are parallel have no centre
@@ -180,11 +180,11 @@ Status LayeredPixels::begin(const RestingView& view) {
     return {};
 }
 
-Status LayeredPixels::makeTargets(const RestingView& view, FoundPixels& found) {
+AoStatus LayeredPixels::makeTargets(const RestingView& view, FoundPixels& found) {
     const gl::Functions& gl = view.context.gl;
     const glm::ivec2& size = view.frame.size;
     found.count = 0;
-    if (Status status = found.makeRoom(gl, size); !status) {
+    if (AoStatus status = found.makeRoom(gl, size); !status) {
         return status;
     }
     auto sums =

@@ -22,7 +22,7 @@ public:
     void restart() override;
     void lookAgain() override {} // what other cube maps know is not asked
     /// Errors: NoScene, OutOfMemory, MissingCapability, ShaderError.
-    Status advance(const RestingView& view, FoundPixels& found, double milliseconds) override;
+    AoStatus advance(const RestingView& view, FoundPixels& found, double milliseconds) override;
     bool done() const override { return stage_ == Stage::Done; }
     std::size_t bytes() const override;
 
@@ -42,8 +42,8 @@ private:
     WorkUnit next() const;
     /// Does units of the next kind, `most` at most. @return how many.
     Result<int> step(const RestingView& view, FoundPixels& found, int most);
-    Status begin(const RestingView& view);
-    Status makeTargets(const RestingView& view, FoundPixels& found);
+    AoStatus begin(const RestingView& view);
+    AoStatus makeTargets(const RestingView& view, FoundPixels& found);
     int computeTile(const RestingView& view, FoundPixels& found, int most);
     void accumulate(const RestingView& view, const glm::ivec2& tile, int first, int count);
     void keep(const RestingView& view, const FoundPixels& found, const glm::ivec2& tile);

@@ -4,7 +4,7 @@
 
 namespace aolib {
 
-Status NearestCapture::makeTarget() {
+AoStatus NearestCapture::makeTarget() {
     auto target = gl::RenderToTexture2D::create(
         context_.gl, {.width = kFaces * faces_.size(),
                       .height = faces_.size(),
@@ -23,7 +23,7 @@ Status NearestCapture::makeTarget() {
     return {};
 }
 
-Status NearestCapture::step() {
+AoStatus NearestCapture::step() {
     const gl::DebugGroup group(context_.gl, "aolib: capture a face");
     if (!target_) {
         return makeTarget();

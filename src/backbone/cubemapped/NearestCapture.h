@@ -15,14 +15,14 @@ public:
 
     bool complete() const override { return face_ == kFaces; }
     WorkUnit next() const override { return target_ ? WorkUnit::Draw : WorkUnit::Prepare; }
-    Status step() override;
+    AoStatus step() override;
     void bind(gl::GLSLShader& shader) const override;
     std::array<bool, kFaces> modelled() const override { return modelled_; }
     int layers() const override { return 1; }
     std::size_t bytes() const override { return target_ ? target_.bytes() : 0; }
 
 private:
-    Status makeTarget();
+    AoStatus makeTarget();
 
     const BackboneContext& context_;
     const FaceCapture faces_;

@@ -132,9 +132,9 @@ Result<gl::GLSLShader*> Projection::bindShade(const BackboneContext& context, co
     return shader;
 }
 
-Status Projection::shade(const BackboneContext& context, const Frame& frame,
-                         const HostFramebuffer& host, const KeptTexels& kept,
-                         const std::vector<CubeMapProjector*>& projectors) {
+AoStatus Projection::shade(const BackboneContext& context, const Frame& frame,
+                           const HostFramebuffer& host, const KeptTexels& kept,
+                           const std::vector<CubeMapProjector*>& projectors) {
     const gl::DebugGroup group(context.gl, "aolib: project and blend");
     const auto shader = bindShade(context, frame, host, kept, projectors);
     if (!shader) {
@@ -153,11 +153,12 @@ Result<const gl::RenderToTexture2D*>
 Projection::tell(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,
                  const KeptTexels& kept, const std::vector<CubeMapProjector*>& projectors) {
     const gl::DebugGroup group(context.gl, "aolib: project");
-    if (Status status = told_.become(context.gl, {.width = frame.size.x,
-                                                  .height = frame.size.y,
-                                                  .targets = {gl::RenderToTexture2D::Format::R32F},
-                                                  .depth = gl::RenderToTexture2D::Depth::Depth16,
-                                                  .label = "aolib/frame/told"});
+    if (AoStatus status =
+            told_.become(context.gl, {.width = frame.size.x,
+                                      .height = frame.size.y,
+                                      .targets = {gl::RenderToTexture2D::Format::R32F},
+                                      .depth = gl::RenderToTexture2D::Depth::Depth16,
+                                      .label = "aolib/frame/told"});
         !status) {
         return status;
     }
@@ -182,8 +183,8 @@ Projection::tell(const BackboneContext& context, const Frame& frame, const HostF
     return &told_;
 }
 
-Status Projection::prepare(const BackboneContext& context, const glm::ivec2& size,
-                           gl::RenderToTexture2D& target) {
+AoStatus Projection::prepare(const BackboneContext& context, const glm::ivec2& size,
+                             gl::RenderToTexture2D& target) {
     return target.become(context.gl, {.width = size.x,
                                       .height = size.y,
                                       .targets = {gl::RenderToTexture2D::Format::RGBA32F},
@@ -198,7 +199,8 @@ Projection::project(const BackboneContext& context, const Frame& frame, const Ho
     const bool single = context.options.cubeMaps.projection == ProjectionMethod::SinglePass;
     const int perPass = single ? std::max(cubes, 1) : 1;
     for (gl::RenderToTexture2D& target : best_) {
-        if (Status status = prepare(context, (frame.size + stride - 1) / stride, target); !status) {
+        if (AoStatus status = prepare(context, (frame.size + stride - 1) / stride, target);
+            !status) {
             return status;
         }
         if (perPass >= cubes) {
@@ -233,7 +235,7 @@ Projection::apply(const BackboneContext& context, const Frame& frame, const Host
     if (!projected || !context.options.cubeMaps.halfResolution) {
         return projected;
     }
-    if (Status status = prepare(context, frame.size, upsampled_); !status) {
+    if (AoStatus status = prepare(context, frame.size, upsampled_); !status) {
         return status;
     }
     gl::GLSLShader& shader = upsample_[kept.repaired == nullptr ? 0 : 1];

@@ -30,8 +30,8 @@ public:
 
     /// Darkens the host's picture: in a single pass, or two at half resolution. Errors:
     /// OutOfMemory.
-    Status shade(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,
-                 const KeptTexels& kept, const std::vector<CubeMapProjector*>& projectors);
+    AoStatus shade(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,
+                   const KeptTexels& kept, const std::vector<CubeMapProjector*>& projectors);
 
     /// W into a target instead, with a depth that fullscreen passes fail by GL_LESS; -1, and no
     /// such depth, for background and where no cube map knows the surface. Errors: OutOfMemory.
@@ -51,8 +51,8 @@ public:
     std::size_t bytes() const;
 
 private:
-    static Status prepare(const BackboneContext& context, const glm::ivec2& size,
-                          gl::RenderToTexture2D& target);
+    static AoStatus prepare(const BackboneContext& context, const glm::ivec2& size,
+                            gl::RenderToTexture2D& target);
     /// Projects at full resolution or half. Errors: OutOfMemory.
     Result<const gl::RenderToTexture2D*> project(const BackboneContext& context, const Frame& frame,
                                                  const HostFramebuffer& host,

@@ -70,7 +70,7 @@ bool RasterTexels::capturing(CubeMapId id) const {
 
 // ---- At once ------------------------------------------------------------------------------------
 
-Status RasterTexels::complete(CubeMapProjector& projector) {
+AoStatus RasterTexels::complete(CubeMapProjector& projector) {
     const auto start = std::chrono::steady_clock::now();
     projector.timer.begin();
     const auto work = begin(projector);
@@ -79,7 +79,8 @@ Status RasterTexels::complete(CubeMapProjector& projector) {
     }
     const CubeMapCapture& capture = (*work)->capture;
     while (!capture.ready) {
-        if (Status status = shading_.step(context_, (*work)->capture, projector, store_); !status) {
+        if (AoStatus status = shading_.step(context_, (*work)->capture, projector, store_);
+            !status) {
             forget(projector.id());
             return status;
         }
@@ -110,8 +111,8 @@ Status RasterTexels::complete(CubeMapProjector& projector) {
 
 // ---- Within a budget ----------------------------------------------------------------------------
 
-Status RasterTexels::advance(const std::vector<CubeMapProjector*>& projectors,
-                             double milliseconds) {
+AoStatus RasterTexels::advance(const std::vector<CubeMapProjector*>& projectors,
+                               double milliseconds) {
     for (auto& [id, work] : works_) {
         ++work.idleFrames;
     }
@@ -170,7 +171,7 @@ Result<bool> RasterTexels::goOnCapturing(CubeMapProjector& projector, Work& work
             return false;
         }
         budget_.start(unit);
-        if (Status status = shading_.step(context_, work.capture, projector, store_); !status) {
+        if (AoStatus status = shading_.step(context_, work.capture, projector, store_); !status) {
             return status;
         }
         budget_.done(1);
@@ -264,7 +265,7 @@ Result<bool> RasterTexels::goOnBehind(CubeMapProjector& projector, Work& work) {
             return true;
         }
         budget_.start(WorkUnit::Texels);
-        Status status;
+        AoStatus status;
         int units = 0;
         for (; status && tile && units < most; tile = nextBehind(projector, work)) {
             status = computeBehind(projector, work, *tile);
@@ -278,12 +279,12 @@ Result<bool> RasterTexels::goOnBehind(CubeMapProjector& projector, Work& work) {
     return true;
 }
 
-Status RasterTexels::computeBehind(CubeMapProjector& projector, Work& work, int tile) {
+AoStatus RasterTexels::computeBehind(CubeMapProjector& projector, Work& work, int tile) {
     TileProgress& tiles = projector.tiles;
     const TileProgress::Region region = tiles.region(tile);
     const int pass = tiles.blockPasses(tile) % passes();
     const int layer = 1 + tiles.blockPasses(tile) / passes();
-    if (Status status =
+    if (AoStatus status =
             shading_.accumulateBehind(context_, work.capture, radius_(), region, layer, pass);
         !status) {
         return status;
@@ -292,7 +293,7 @@ Status RasterTexels::computeBehind(CubeMapProjector& projector, Work& work, int 
         const auto block = projector.addBlock(store_, blocks_, tile);
         if (!block) {
             tiles.refuseBlock(tile); // it goes without
-            return store_.spare() > 0 ? block.status() : Status();
+            return store_.spare() > 0 ? block.status() : AoStatus();
         }
         shading_.resolveBehind(context_, work.capture, projector, blocks_, *block, region, layer);
         projector.showsMore = true;

@@ -27,8 +27,9 @@ public:
     DeferredShading& shading() { return shading_; }
 
     int passes() const override { return DeferredShading::passes(context_.options); }
-    Status complete(CubeMapProjector& projector) override;
-    Status advance(const std::vector<CubeMapProjector*>& projectors, double milliseconds) override;
+    AoStatus complete(CubeMapProjector& projector) override;
+    AoStatus advance(const std::vector<CubeMapProjector*>& projectors,
+                     double milliseconds) override;
     bool lacks(const CubeMapProjector& projector) const override;
     bool capturing(CubeMapId id) const override;
     void forget(CubeMapId id) override { works_.erase(id); }
@@ -62,7 +63,7 @@ private:
     bool goOnKeeping(CubeMapProjector& projector, Work& work);
     Result<bool> goOnBehind(CubeMapProjector& projector, Work& work);
     /// A pass of a tile's block; after the last one it is kept.
-    Status computeBehind(CubeMapProjector& projector, Work& work, int tile);
+    AoStatus computeBehind(CubeMapProjector& projector, Work& work, int tile);
     /// The tile whose block is to be computed next: the one that was begun before others.
     std::optional<int> nextBehind(const CubeMapProjector& projector, const Work& work) const;
     /// One pass over each of the tiles that need it most. @return how many.

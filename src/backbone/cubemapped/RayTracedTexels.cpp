@@ -78,13 +78,13 @@ void RayTracedTexels::forget(CubeMapId id) {
     askedBefore_ = 0;
 }
 
-Status RayTracedTexels::complete(CubeMapProjector& projector) {
+AoStatus RayTracedTexels::complete(CubeMapProjector& projector) {
     projector.tiles.askAll();
     const std::vector<CubeMapProjector*> one{&projector};
     while (lacks(projector)) {
         request(one);
         queue_.wait(1000.0);
-        if (Status status = takeResults(one, HUGE_VAL); !status) {
+        if (AoStatus status = takeResults(one, HUGE_VAL); !status) {
             return status;
         }
     }
@@ -92,9 +92,9 @@ Status RayTracedTexels::complete(CubeMapProjector& projector) {
     return {};
 }
 
-Status RayTracedTexels::advance(const std::vector<CubeMapProjector*>& projectors,
-                                double milliseconds) {
-    if (Status status = takeResults(projectors, milliseconds); !status) {
+AoStatus RayTracedTexels::advance(const std::vector<CubeMapProjector*>& projectors,
+                                  double milliseconds) {
+    if (AoStatus status = takeResults(projectors, milliseconds); !status) {
         return status;
     }
     request(projectors);
@@ -167,8 +167,8 @@ void RayTracedTexels::request(const std::vector<CubeMapProjector*>& projectors) 
     queue_.request(TracerQueue::Asker::Texels, std::move(queue));
 }
 
-Status RayTracedTexels::takeResults(const std::vector<CubeMapProjector*>& projectors,
-                                    double milliseconds) {
+AoStatus RayTracedTexels::takeResults(const std::vector<CubeMapProjector*>& projectors,
+                                      double milliseconds) {
     const auto start = std::chrono::steady_clock::now();
     for (auto results = queue_.take(TracerQueue::Asker::Texels, kAtATime); !results.empty();
          results = queue_.take(TracerQueue::Asker::Texels, kAtATime)) {
@@ -182,8 +182,8 @@ Status RayTracedTexels::takeResults(const std::vector<CubeMapProjector*>& projec
             if (found == projectors.end() || workOf((*found)->id()).generation != key.generation) {
                 continue;
             }
-            Status status = key.detail ? takeDetail(**found, traced, key.tile)
-                                       : take(**found, traced, key.tile);
+            AoStatus status = key.detail ? takeDetail(**found, traced, key.tile)
+                                         : take(**found, traced, key.tile);
             if (!status) {
                 return status;
             }
@@ -211,7 +211,7 @@ bool RayTracedTexels::add(Tile& sums, const TracedTexels& traced) {
     return true;
 }
 
-Status RayTracedTexels::take(CubeMapProjector& projector, const TracedTexels& traced, int tile) {
+AoStatus RayTracedTexels::take(CubeMapProjector& projector, const TracedTexels& traced, int tile) {
     if (projector.tiles.passes(tile) >= passes()) {
         return {}; // traced twice: the sums of a complete tile are gone, these would begin new ones
     }
@@ -223,7 +223,7 @@ Status RayTracedTexels::take(CubeMapProjector& projector, const TracedTexels& tr
     if (traced.request.firstRay == 0 && isRough(traced)) {
         projector.tiles.offerBlocks(tile, 1);
     }
-    const Status status = upload(projector, traced, sums);
+    const AoStatus status = upload(projector, traced, sums);
     projector.tiles.setPasses(tile, projector.tiles.passes(tile) + 1);
     if (projector.tiles.passes(tile) >= passes()) {
         work.tiles.erase(tile);
@@ -231,8 +231,8 @@ Status RayTracedTexels::take(CubeMapProjector& projector, const TracedTexels& tr
     return status;
 }
 
-Status RayTracedTexels::takeDetail(CubeMapProjector& projector, const TracedTexels& traced,
-                                   int tile) {
+AoStatus RayTracedTexels::takeDetail(CubeMapProjector& projector, const TracedTexels& traced,
+                                     int tile) {
     if (projector.tiles.blockPasses(tile) >= passes()) {
         return {}; // as above
     }
@@ -283,8 +283,8 @@ RayTracedTexels::Codes RayTracedTexels::encode(const CubeMapProjector& projector
     return codes;
 }
 
-Status RayTracedTexels::upload(CubeMapProjector& projector, const TracedTexels& traced,
-                               const Tile& tile) {
+AoStatus RayTracedTexels::upload(CubeMapProjector& projector, const TracedTexels& traced,
+                                 const Tile& tile) {
     const TexelRequest& request = traced.request;
     const bool sees = std::any_of(traced.distance.begin(), traced.distance.end(),
                                   [](float distance) { return distance >= 0.0F; });
@@ -296,7 +296,7 @@ Status RayTracedTexels::upload(CubeMapProjector& projector, const TracedTexels& 
         projector.spanDistances(store_, range.nearest, range.farthest);
         workOf(projector.id()).spans = true;
     }
-    if (Status status = projector.keepFace(store_, request.face); !status) {
+    if (AoStatus status = projector.keepFace(store_, request.face); !status) {
         return status;
     }
     const Codes codes = encode(projector, traced, tile);

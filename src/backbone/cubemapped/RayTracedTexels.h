@@ -23,8 +23,9 @@ public:
     void setRadius(float radius) { radius_ = radius; }
 
     int passes() const override;
-    Status complete(CubeMapProjector& projector) override;
-    Status advance(const std::vector<CubeMapProjector*>& projectors, double milliseconds) override;
+    AoStatus complete(CubeMapProjector& projector) override;
+    AoStatus advance(const std::vector<CubeMapProjector*>& projectors,
+                     double milliseconds) override;
     bool lacks(const CubeMapProjector& projector) const override;
     void forget(CubeMapId id) override;
 
@@ -48,9 +49,9 @@ private:
     /// Asks for the next pass of every tile that lacks one, the poorest first.
     void request(const std::vector<CubeMapProjector*>& projectors);
     /// Takes what is finished until the time is up.
-    Status takeResults(const std::vector<CubeMapProjector*>& projectors, double milliseconds);
-    Status take(CubeMapProjector& projector, const TracedTexels& traced, int tile);
-    Status takeDetail(CubeMapProjector& projector, const TracedTexels& traced, int tile);
+    AoStatus takeResults(const std::vector<CubeMapProjector*>& projectors, double milliseconds);
+    AoStatus take(CubeMapProjector& projector, const TracedTexels& traced, int tile);
+    AoStatus takeDetail(CubeMapProjector& projector, const TracedTexels& traced, int tile);
     /// Adds a pass. @return false when it has been traced before.
     static bool add(Tile& sums, const TracedTexels& traced);
     /// Texels as they are kept.
@@ -60,7 +61,7 @@ private:
     };
     static Codes encode(const CubeMapProjector& projector, const TracedTexels& traced,
                         const Tile& tile);
-    Status upload(CubeMapProjector& projector, const TracedTexels& traced, const Tile& tile);
+    AoStatus upload(CubeMapProjector& projector, const TracedTexels& traced, const Tile& tile);
 
     const BackboneContext context_;
     FaceStore& store_;

@@ -50,9 +50,9 @@ void TracedPixels::restart() {
     tiles_.clear();
 }
 
-Status TracedPixels::advance(const RestingView& view, FoundPixels& found, double milliseconds) {
+AoStatus TracedPixels::advance(const RestingView& view, FoundPixels& found, double milliseconds) {
     if (phase_ == Phase::Waiting) {
-        if (Status status = ask(view); !status) {
+        if (AoStatus status = ask(view); !status) {
             return status;
         }
     }
@@ -63,16 +63,16 @@ Status TracedPixels::advance(const RestingView& view, FoundPixels& found, double
         readback_.poll([&](auto depths) { plan(view.frame.size, depths); });
         if (phase_ == Phase::Tracing) {
             found.count = 0;
-            if (Status status = found.makeRoom(view.context.gl, view.frame.size); !status) {
+            if (AoStatus status = found.makeRoom(view.context.gl, view.frame.size); !status) {
                 restart();
                 return status;
             }
         }
     }
-    return phase_ == Phase::Tracing ? trace(view, found, milliseconds) : Status();
+    return phase_ == Phase::Tracing ? trace(view, found, milliseconds) : AoStatus();
 }
 
-Status TracedPixels::trace(const RestingView& view, FoundPixels& found, double milliseconds) {
+AoStatus TracedPixels::trace(const RestingView& view, FoundPixels& found, double milliseconds) {
     const auto start = std::chrono::steady_clock::now();
     const bool toTheEnd = std::isinf(milliseconds);
     while (phase_ == Phase::Tracing) {
@@ -98,7 +98,7 @@ Status TracedPixels::trace(const RestingView& view, FoundPixels& found, double m
     return {};
 }
 
-Status TracedPixels::ask(const RestingView& view) {
+AoStatus TracedPixels::ask(const RestingView& view) {
     const gl::Functions& gl = view.context.gl;
     const glm::ivec2& size = view.frame.size;
     const gl::DebugGroup group(gl, "aolib: doubtful pixels");

@@ -23,7 +23,7 @@ public:
     void restart() override;
     void lookAgain() override { restart(); }
     /// Errors: OutOfMemory, MissingCapability, the tracer's.
-    Status advance(const RestingView& view, FoundPixels& found, double milliseconds) override;
+    AoStatus advance(const RestingView& view, FoundPixels& found, double milliseconds) override;
     bool done() const override { return phase_ == Phase::Done; }
     std::size_t bytes() const override { return doubt_ ? 2 * doubt_.bytes() : 0; }
 
@@ -37,11 +37,11 @@ private:
     explicit TracedPixels(TracerQueue& queue) : queue_(queue) {}
 
     /// Draws where the cube maps leave a doubt, and starts reading it back.
-    Status ask(const RestingView& view);
+    AoStatus ask(const RestingView& view);
     /// Sorts the doubtful pixels into tiles.
     void plan(const glm::ivec2& size, std::span<const std::uint8_t> depths);
     /// Traces them.
-    Status trace(const RestingView& view, FoundPixels& found, double milliseconds);
+    AoStatus trace(const RestingView& view, FoundPixels& found, double milliseconds);
     std::vector<TexelRequest> requests(const RestingView& view) const;
     void take(const TracedTexels& traced, const glm::ivec2& size, FoundPixels& found);
 

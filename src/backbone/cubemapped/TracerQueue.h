@@ -34,7 +34,7 @@ public:
     /// Requests of this asker that may still come.
     std::size_t pending(Asker asker) const;
     bool wait(double milliseconds) { return tracer_.wait(milliseconds); }
-    Status status() const { return tracer_.status(); }
+    AoStatus status() const { return tracer_.status(); }
 
 private:
     AbstractTexelTracer& tracer_;

@@ -25,7 +25,7 @@ public:
 
     /// Goes on for as long as the budget lasts, or to the end. Only while `rests()`.
     /// Errors: as AbstractPixelSource::advance().
-    Status advance(const RestingView& view, double milliseconds) {
+    AoStatus advance(const RestingView& view, double milliseconds) {
         return source_->advance(view, found_, milliseconds);
     }
     /// Whether the latest frame showed what the one before had shown.

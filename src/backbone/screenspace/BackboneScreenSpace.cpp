@@ -11,16 +11,16 @@ namespace aolib {
 Result<std::unique_ptr<AbstractBackbone>>
 BackboneScreenSpace::create(const BackboneContext& context) {
     std::unique_ptr<BackboneScreenSpace> backbone(new BackboneScreenSpace(context));
-    if (Status status = backbone->initialise(); !status) {
+    if (AoStatus status = backbone->initialise(); !status) {
         return status;
     }
-    if (Status status = backbone->chooseEstimator(); !status) {
+    if (AoStatus status = backbone->chooseEstimator(); !status) {
         return status;
     }
     return std::unique_ptr<AbstractBackbone>(std::move(backbone));
 }
 
-Status BackboneScreenSpace::chooseEstimator() {
+AoStatus BackboneScreenSpace::chooseEstimator() {
     const Estimator estimator = context_.options.estimator;
     if (traitsOf(estimator).shader.empty()) {
         return {StatusCode::InvalidOption,
@@ -38,7 +38,7 @@ Status BackboneScreenSpace::chooseEstimator() {
 
 Result<const gl::RenderToTexture2D*> BackboneScreenSpace::computeVisibility(const Frame& frame) {
     const gl::DebugGroup group(context_.gl, "aolib: screen-space visibility");
-    if (Status status =
+    if (AoStatus status =
             target_.become(context_.gl, {.width = frame.size.x,
                                          .height = frame.size.y,
                                          .targets = {gl::RenderToTexture2D::Format::RG16F},
@@ -47,7 +47,7 @@ Result<const gl::RenderToTexture2D*> BackboneScreenSpace::computeVisibility(cons
         return status;
     }
     if (estimator_ != context_.options.estimator) {
-        if (Status status = chooseEstimator(); !status) {
+        if (AoStatus status = chooseEstimator(); !status) {
             return status;
         }
     }

@@ -20,7 +20,7 @@ private:
     Result<const gl::RenderToTexture2D*> computeVisibility(const Frame& frame) override;
     void addStatistics(Statistics& statistics) override;
 
-    Status chooseEstimator();
+    AoStatus chooseEstimator();
 
     gl::GLSLShader shader_;
     Estimator estimator_{}; ///< that `shader_` was built for

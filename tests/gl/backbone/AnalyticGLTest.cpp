@@ -56,7 +56,7 @@ TEST_P(AnalyticGLTest, AFloorBesideAWall) {
     addQuad(model, {0, 0, -60}, {0, 0, 60}, {60, 0, 60}, {60, 0, -60});
     addQuad(model, {0, 0, -60}, {0, 2, -60}, {0, 2, 60}, {0, 0, 60});
     Options options = exact(12.0F);
-    options.falloff = Falloff::None;
+    options.falloff = Falloff::Off;
     // High above, so that floor and wall lie in one face: the estimator stops at its border.
     const CubeMapImage cube = capture(model, options, {1.5F, 6.0F, 0.1F});
     for (const float d : {0.5F, 1.0F, 2.0F}) {
@@ -89,7 +89,7 @@ TEST_P(AnalyticGLTest, TheInsideOfAClosedSphereIsClosed) {
     }
     model.meshes.push_back(sphere);
     Options options = exact(2.0F);
-    options.falloff = Falloff::None;
+    options.falloff = Falloff::Off;
     const CubeMapImage cube = capture(model, options, {0, 0, 0});
     // Truth 0. Within one face of 90 degrees the horizon ends at the face's border: from a face's
     // centre H is the sine of 90 - 45 / 2 degrees and less, so that W = 1 - H^2 is about 0.6. The
@@ -109,7 +109,7 @@ TEST_P(AnalyticGLTest, FalloffWeighsByDistance) {
         options.horizonSplit.stepSize = 0.05F;
         return 1 - at(capture(model, options, {-0.5F, 6, 0}), {0, 0, 0});
     };
-    const float none = occlusion(Falloff::None, 1.5F);
+    const float none = occlusion(Falloff::Off, 1.5F);
     const float step = occlusion(Falloff::Step, 1.5F);
     const float beyond = occlusion(Falloff::Step, 0.9F);
     const float exp = occlusion(Falloff::Exp, 1.5F);

@@ -124,13 +124,13 @@ TEST_P(DebugViewGLTest, QualityFallsWithDistance) {
 }
 
 TEST_P(DebugViewGLTest, OutlinesAppearWhereACubeMapStands) {
-    const ByteImage without = show(DebugView::None);
+    const ByteImage without = show(DebugView::Off);
     ASSERT_TRUE(host_->ao().addCubeMap({2, 1, 2}).ok());
     Options options = host_->ao().options();
     options.cubeMaps.place = false;
     ASSERT_TRUE(host_->ao().setOptions(options).ok());
-    const ByteImage with = show(DebugView::None, true);
-    const ByteImage again = show(DebugView::None, false);
+    const ByteImage with = show(DebugView::Off, true);
+    const ByteImage again = show(DebugView::Off, false);
     int drawn = 0;
     for (std::size_t i = 0; i < with.pixels.size(); ++i) {
         drawn += with.pixels[i] != again.pixels[i] ? 1 : 0;

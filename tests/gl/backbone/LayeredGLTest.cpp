@@ -8,7 +8,7 @@ namespace {
 
 class LayeredGLTest : public GLTest {
 protected:
-    static Options options(Falloff falloff = Falloff::None, float radius = 1.0F) {
+    static Options options(Falloff falloff = Falloff::Off, float radius = 1.0F) {
         Options o = atOnce();
         o.estimator = Estimator::LayeredIntervals;
         o.falloff = falloff;
@@ -171,7 +171,7 @@ TEST_P(LayeredGLTest, LeavesHaveNoThickness) {
 }
 
 TEST_P(LayeredGLTest, ResultsStayFiniteAndInRange) {
-    for (const Falloff falloff : {Falloff::Step, Falloff::Exp, Falloff::None}) {
+    for (const Falloff falloff : {Falloff::Step, Falloff::Exp, Falloff::Off}) {
         Model model;
         addBox(model, {-2, -1, -3}, {2, 1.5F, 3});
         addBox(model, {0.5F, -1, -1}, {1, 0, -0.5F});

@@ -47,7 +47,7 @@ protected:
     /// Draws until all is computed. @return frames it took; -1 when it never ended.
     int converge(SmallHost& host) {
         for (int frame = 1; frame <= kMostFrames; ++frame) {
-            const Status status = host.frame();
+            const AoStatus status = host.frame();
             EXPECT_TRUE(status.ok()) << status.message();
             gl.Finish();
             if (!status || host.ao().statistics().converged) {

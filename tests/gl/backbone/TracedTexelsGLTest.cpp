@@ -11,7 +11,7 @@ TEST_P(TracedTexelsGLTest, TracedTexelsFollowTheClosedForm) {
     addQuad(model, {0, 0, -60}, {0, 0, 60}, {60, 0, 60}, {60, 0, -60});
     addQuad(model, {0, 0, -60}, {0, 2, -60}, {0, 2, 60}, {0, 0, 60});
     Options o = options(Estimator::RayTraced);
-    o.falloff = Falloff::None;
+    o.falloff = Falloff::Off;
     o.frameBudget = 0.0F;
     o.rayTraced.rays = 1024;
     SmallHost host = hostWith(o, model);
@@ -64,7 +64,7 @@ TEST_P(TracedTexelsGLTest, WithoutATracerTheFrameSaysSo) {
     SmallHost host(gl, loader, boxOnFloor(), options(Estimator::RayTraced));
     host.lookAt({0.5F, 3, 5}, {0, 0.5F, 0});
     ASSERT_TRUE(host.ao().addCubeMap({0.5F, 3, 5}).ok()) << "its turn comes in a frame";
-    const Status status = host.frame();
+    const AoStatus status = host.frame();
     EXPECT_EQ(status.code(), StatusCode::MissingCapability);
     EXPECT_NE(status.message().find("setTexelTracer"), std::string::npos) << status.message();
     host.ao().setTexelTracer(std::move(*createTexelTracer(1)));

@@ -37,7 +37,7 @@ TEST_P(FacadeGLTest, CreateRefusesWhatCannotWork) {
     const auto holed = [this](const char* name) -> void* {
         return std::string_view(name) == "glDrawArrays" ? nullptr : loader(name);
     };
-    const Status missing = AmbientOcclusion::create(holed).status();
+    const AoStatus missing = AmbientOcclusion::create(holed).status();
     EXPECT_EQ(missing.code(), StatusCode::MissingCapability);
     EXPECT_NE(missing.message().find("glDrawArrays"), std::string::npos);
 }
@@ -54,7 +54,7 @@ TEST_P(FacadeGLTest, RefusedOptionsChangeNothing) {
 TEST_P(FacadeGLTest, TheSinkHearsEveryFailure) {
     AmbientOcclusion ao = make();
     std::vector<StatusCode> heard;
-    ao.setMessageSink([&](const Status& status) { heard.push_back(status.code()); });
+    ao.setMessageSink([&](const AoStatus& status) { heard.push_back(status.code()); });
     (void)ao.meshEnd();
     (void)ao.removeMesh(MeshId{77});
     (void)ao.meshBegin();

@@ -174,7 +174,7 @@ TEST_P(SceneRendererGLTest, ExceptionsAndCallsWithinAreRefused) {
     Drawn drawn(gl, loader, boxOnFloor(), radiusOne(Estimator::HorizonSplit));
     AmbientOcclusion& ao = drawn->ao();
     drawn.before = [](const FaceView&) { throw std::runtime_error("no disc in drive"); };
-    const Status thrown = ao.addCubeMap({3, 3, 4}).status();
+    const AoStatus thrown = ao.addCubeMap({3, 3, 4}).status();
     EXPECT_EQ(thrown.code(), StatusCode::CallbackFailed);
     EXPECT_NE(thrown.message().find("no disc in drive"), std::string::npos);
     drawn.before = [](const FaceView&) { throw 42; };

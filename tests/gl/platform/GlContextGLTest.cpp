@@ -144,7 +144,7 @@ TEST_P(GlContextGLTest, CanMoveToAnotherThread) {
     lookUp<PFNGLCLEARCOLORPROC>(**context, "glClearColor")(0.5f, 0.0f, 0.0f, 1.0f);
     (*context)->doneCurrent();
     std::thread([&] {
-        const Status status = (*context)->makeCurrent();
+        const AoStatus status = (*context)->makeCurrent();
         EXPECT_TRUE(status.ok()) << status.message();
         EXPECT_EQ(clearRed(**context), 0.5f);
         (*context)->doneCurrent();

@@ -20,11 +20,11 @@ TEST_P(MixedContextsGLTest, AlternateWithEglInOneProcess) {
     ASSERT_TRUE(other.ok()) << other.status().message();
     EXPECT_FALSE((*egl)->isCurrent());
     for (int round = 0; round < 3; ++round) {
-        const Status toEgl = (*egl)->makeCurrent();
+        const AoStatus toEgl = (*egl)->makeCurrent();
         ASSERT_TRUE(toEgl.ok()) << toEgl.message();
         EXPECT_FALSE((*other)->isCurrent());
         EXPECT_EQ(clearAndRead(**egl, 1.0f, 0.0f), (std::array<GLubyte, 4>{255, 0, 0, 255}));
-        const Status toOther = (*other)->makeCurrent();
+        const AoStatus toOther = (*other)->makeCurrent();
         ASSERT_TRUE(toOther.ok()) << toOther.message();
         EXPECT_FALSE((*egl)->isCurrent());
         EXPECT_EQ(clearAndRead(**other, 0.0f, 1.0f), (std::array<GLubyte, 4>{0, 255, 0, 255}));

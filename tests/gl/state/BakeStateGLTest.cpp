@@ -57,7 +57,7 @@ protected:
     static bake::MapOptions map() { return {.width = 16, .height = 16, .padding = 2}; }
 
     /// Everything that a baker of this method does. @return the first failure.
-    static Status bakeAll(const Method& method, const ProcAddressLoader& loader) {
+    static AoStatus bakeAll(const Method& method, const ProcAddressLoader& loader) {
         const Baker baker = method.create(loader);
         if (!baker) {
             return baker.status();

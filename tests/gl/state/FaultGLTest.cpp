@@ -30,7 +30,7 @@ protected:
                 {"frame of other size",
                  [this](AmbientOcclusion& ao) {
                      viewport(20, 12);
-                     const Status status = frame(ao);
+                     const AoStatus status = frame(ao);
                      viewport(HostObjects::kWidth, HostObjects::kHeight);
                      return status;
                  }},

@@ -101,7 +101,7 @@ std::optional<FaultTest::Outcome> FaultTest::run(const std::vector<Step>& steps,
         const CubeMaps cubesBefore = cubeMaps(ao);
         const HostState::Snapshot before = state->snapshot();
         const bool failedBefore = faulty_->failed();
-        const Status status = step.call(ao);
+        const AoStatus status = step.call(ao);
         const bool hit = faulty_->failed() && !failedBefore;
         EXPECT_EQ(state->difference(before, state->snapshot()), "") << where;
         if (!status) {
@@ -110,7 +110,7 @@ std::optional<FaultTest::Outcome> FaultTest::run(const std::vector<Step>& steps,
             EXPECT_TRUE(isSensible(fault, status.code()))
                 << where << ": " << statusName(status.code()) << ", " << status.message();
             const CubeMaps cubesFailed = cubeMaps(ao);
-            const Status again = step.call(ao);
+            const AoStatus again = step.call(ao);
             EXPECT_TRUE(again.ok()) << where << ", again: " << again.message();
             // Each as it was, as it will be, or (after a change of face size) empty; none half
             // done.
@@ -130,7 +130,7 @@ std::optional<FaultTest::Outcome> FaultTest::run(const std::vector<Step>& steps,
     const bool reached = faulty_->failed();
     faulty_->heal();
     Outcome outcome;
-    if (const Status last = frame(ao); !last) {
+    if (const AoStatus last = frame(ao); !last) {
         ADD_FAILURE() << faultName(fault) << " " << n << ": " << last.message();
     }
     outcome.visibility = ao.readVisibility()->visibility;
@@ -166,7 +166,7 @@ void FaultTest::refuseEachIn(const std::function<std::vector<Step>()>& steps,
             EXPECT_GT(refusals_, 0) << faultName(fault) << " was never refused";
         }
     }
-    ao = Status(StatusCode::Ok, "");
+    ao = AoStatus(StatusCode::Ok, "");
     EXPECT_EQ(faulty_->alive(), "");
 }
 

@@ -20,7 +20,7 @@ class FaultTest : public RefusalTest {
 protected:
     struct Step {
         const char* name;
-        std::function<Status(AmbientOcclusion&)> call;
+        std::function<AoStatus(AmbientOcclusion&)> call;
     };
     /// What an instance holds at the end of its steps.
     struct Outcome {
@@ -49,7 +49,7 @@ protected:
         }
         return ao;
     }
-    static Status frame(AmbientOcclusion& ao) {
+    static AoStatus frame(AmbientOcclusion& ao) {
         (void)ao.aoDrawBegin();
         return ao.aoDrawEnd(Guest::eye().x, Guest::eye().y, Guest::eye().z);
     }

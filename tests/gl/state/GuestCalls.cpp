@@ -28,7 +28,7 @@ struct GuestCalls {
     AmbientOcclusion& ao() { return *guest.ao_; }
     AmbientOcclusion& empty() { return *guest.empty_; }
 
-    void expect(StatusCode wanted, const Status& status) {
+    void expect(StatusCode wanted, const AoStatus& status) {
         if (status.code() != wanted) {
             fault.append(statusName(status.code())).append(" (").append(status.message());
             fault.append(") in place of ").append(statusName(wanted)).append("; ");
@@ -39,7 +39,7 @@ struct GuestCalls {
         expect(wanted, result.status());
     }
     void end(const glm::vec3& at = Guest::eye()) {
-        const Status status = ao().aoDrawEnd(at.x, at.y, at.z);
+        const AoStatus status = ao().aoDrawEnd(at.x, at.y, at.z);
         expect(situation.frame, status);
         guest.hadFrame_ = guest.hadFrame_ || status.ok();
     }
@@ -139,7 +139,7 @@ struct GuestCalls {
         options.cubeMaps.nearest = dice.between(1, 3);
         options.blur = {.enabled = dice.chance(0.7), .size = 1 + 2 * dice.between(0, 3)};
         options.debugView = dice.chance(0.5)
-                                ? DebugView::None
+                                ? DebugView::Off
                                 : kDebugViewChoices[dice.below(kDebugViewChoices.size())].value;
         change(options);
     }
@@ -248,7 +248,7 @@ struct GuestCalls {
         (void)ao().cubeMaps();
         (void)ao().lastStatus();
         int told = 0;
-        ao().setMessageSink([&told](const Status&) { ++told; });
+        ao().setMessageSink([&told](const AoStatus&) { ++told; });
         expect(StatusCode::InvalidCallOrder, ao().aoEnd());
         ao().setMessageSink({});
         expect(StatusCode::InvalidCallOrder, ao().aoEnd());

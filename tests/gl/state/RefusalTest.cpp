@@ -48,7 +48,7 @@ RefusalTest::Share RefusalTest::share() {
 }
 
 int RefusalTest::refuseEach(const std::string& name, Fault fault,
-                            const std::function<Status(const ProcAddressLoader&)>& call) {
+                            const std::function<AoStatus(const ProcAddressLoader&)>& call) {
     const Share part = share();
     int n = part.first;
     for (;; n += part.stride) {
@@ -57,7 +57,7 @@ int RefusalTest::refuseEach(const std::string& name, Fault fault,
         poison->apply(dice, HostView{});
         const HostState::Snapshot clean = state->snapshot();
         faulty_->failAt(fault, n);
-        const Status status = call(faulty_->loader());
+        const AoStatus status = call(faulty_->loader());
         EXPECT_EQ(state->difference(clean, state->snapshot()), "") << where;
         EXPECT_EQ(faulty_->alive(), "") << where;
         if (!faulty_->failed()) {

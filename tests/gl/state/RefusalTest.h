@@ -32,7 +32,7 @@ protected:
     /// a sensible status, the host's state intact and nothing left behind.
     /// @return how many uses there are (at most, by less than a stride), or the first that failed.
     int refuseEach(const std::string& name, Fault fault,
-                   const std::function<Status(const ProcAddressLoader&)>& call);
+                   const std::function<AoStatus(const ProcAddressLoader&)>& call);
 
     std::optional<FaultyLoader> faulty_;
 };

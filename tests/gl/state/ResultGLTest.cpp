@@ -156,7 +156,7 @@ void step(AmbientOcclusion& ao, const std::vector<MeshId>& meshes, unsigned seed
         break;
     case 4:
         options.debugView =
-            dice.chance(0.5) ? DebugView::None : kDebugViewChoices[dice.below(8)].value;
+            dice.chance(0.5) ? DebugView::Off : kDebugViewChoices[dice.below(8)].value;
         options.cubeMaps.outlines = dice.chance(0.5);
         options.blur.enabled = dice.chance(0.7);
         EXPECT_TRUE(ao.setOptions(options).ok());

@@ -147,7 +147,7 @@ TEST(RayBakerTest, RadiusAndFalloffFollowTheClosedForms) {
     EXPECT_NEAR(1.0 - meanOf(), insideSphereOcclusionStep(1.0, 0.9), 0.01);
     options.falloff = Falloff::Exp;
     EXPECT_NEAR(1.0 - meanOf(), insideSphereOcclusionExp(1.0, 0.9), 0.01);
-    options.falloff = Falloff::None;
+    options.falloff = Falloff::Off;
     EXPECT_NEAR(1.0 - meanOf(), 1.0, 1e-6);
 }
 

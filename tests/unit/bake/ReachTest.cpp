@@ -36,13 +36,13 @@ TEST(ReachTest, StepHasOneRadiusAndNoRadiusHasNoEnd) {
     EXPECT_EQ(shareBeyond({0.2, Falloff::Step}, 0.19, 16, 0), 1.0);
     EXPECT_EQ(shareBeyond({0.2, Falloff::Step}, 0.2, 16, 0), 0.0);
     EXPECT_TRUE(std::isinf(radiusOf({0.0, Falloff::Exp}, 0, 3)));
-    EXPECT_TRUE(std::isinf(radiusOf({0.2, Falloff::None}, 0, 3)));
+    EXPECT_TRUE(std::isinf(radiusOf({0.2, Falloff::Off}, 0, 3)));
 }
 
 TEST(ReachTest, TooSmallARadiusIsRefusedWithTheLeast) {
     EXPECT_TRUE(checkReach({0.1, Falloff::Step}, 1.0).ok());
     EXPECT_TRUE(checkReach({0.0, Falloff::Step}, 1.0).ok());
-    const Status status = checkReach({0.001, Falloff::Step}, 0.5);
+    const AoStatus status = checkReach({0.001, Falloff::Step}, 0.5);
     EXPECT_EQ(status.code(), StatusCode::InvalidOption);
     EXPECT_NE(status.message().find("at least 0.0078"), std::string::npos) << status.message();
 }

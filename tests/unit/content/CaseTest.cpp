@@ -54,7 +54,7 @@ TEST(CaseTest, GroundMayBeLeftOut) {
 TEST(CaseTest, WritingAndReadingGivesTheSame) {
     Case scene = *parseCase(caseText, "cases/c.json");
     scene.radius = 0.1F + 0.2F;
-    for (const Falloff falloff : {Falloff::Step, Falloff::Exp, Falloff::None}) {
+    for (const Falloff falloff : {Falloff::Step, Falloff::Exp, Falloff::Off}) {
         scene.falloff = falloff;
         const std::string written = writeCase(scene);
         const Loaded<Case> again = parseCase(written, "cases/c.json");

@@ -21,7 +21,7 @@ using test::sceneOf;
 
 /// The whole of a small face.
 TexelRequest faceRequest(const glm::dvec3& centre, int face, int rays,
-                         Falloff falloff = Falloff::None, double radius = 1.0, int size = 8) {
+                         Falloff falloff = Falloff::Off, double radius = 1.0, int size = 8) {
     TexelRequest request;
     request.centre = glm::vec3(centre);
     request.faceSize = size;
@@ -124,7 +124,7 @@ double errorAgainstTruth(const RayScene& scene, const TracedTexels& texels) {
 TEST(RequestTracer, ConvergesToTheTruthInEveryFalloff) {
     const RayScene scene = sceneOf(clutter());
     const glm::dvec3 eye(2.037, 1.219, -0.413);
-    for (const Falloff falloff : {Falloff::Step, Falloff::Exp, Falloff::None}) {
+    for (const Falloff falloff : {Falloff::Step, Falloff::Exp, Falloff::Off}) {
         for (int face = 0; face < 6; ++face) {
             SCOPED_TRACE(face);
             const TracedTexels texels = traced(scene, faceRequest(eye, face, 4096, falloff, 1.5));
@@ -185,9 +185,9 @@ TEST(RequestTracer, ClosedRoomAndLonePlaneAreExact) {
     const RayScene open = sceneOf(plane);
     for (int face = 0; face < 6; ++face) {
         const TracedTexels inside =
-            traced(room, faceRequest({0.3, -0.2, 0.1}, face, 320, Falloff::None, 1.0, 32));
+            traced(room, faceRequest({0.3, -0.2, 0.1}, face, 320, Falloff::Off, 1.0, 32));
         const TracedTexels above =
-            traced(open, faceRequest({5.0, 9.0, 7.0}, face, 320, Falloff::None, 1.0, 32));
+            traced(open, faceRequest({5.0, 9.0, 7.0}, face, 320, Falloff::Off, 1.0, 32));
         EXPECT_EQ(seenCount(inside), 1024U);
         EXPECT_EQ(*std::ranges::max_element(inside.visibility), 0.0F) << face;
         EXPECT_EQ(*std::ranges::min_element(above.visibility), 1.0F) << face;
@@ -365,7 +365,7 @@ TEST(RequestTracer, RequestsOutOfRangeAreRefused) {
     EXPECT_EQ(refused([&](auto& r) { r.sights = sights, r.sights[9].to.z = nan; }),
               StatusCode::InvalidPosition);
     EXPECT_EQ(refused([&](auto& r) { r.radius = nan; }), invalid);
-    EXPECT_EQ(refused([](auto& r) { r.radius = 0.0F, r.falloff = Falloff::None; }), StatusCode::Ok);
+    EXPECT_EQ(refused([](auto& r) { r.radius = 0.0F, r.falloff = Falloff::Off; }), StatusCode::Ok);
 }
 
 } // namespace

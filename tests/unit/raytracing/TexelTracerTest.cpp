@@ -182,7 +182,7 @@ TEST(TexelTracer, ANewSceneDropsAllThatTheOldOneLeft) {
     EXPECT_TRUE(tracer->take(100).empty());
     TexelRequest request = tile(3, 64);
     request.centre = {0.0F, 0.0F, 0.0F};
-    request.falloff = Falloff::None;
+    request.falloff = Falloff::Off;
     tracer->request({request});
     const std::vector<TracedTexels> all = takeAll(*tracer);
     ASSERT_EQ(all.size(), 1U);

@@ -36,6 +36,6 @@ VisibilityEstimate visibilityAt(const RayScene& scene, const Receiver& receiver,
                                 const TraceSettings& settings);
 
 /// Shorthand for settings.
-TraceSettings tracing(int rays, Falloff falloff = Falloff::None, double radius = 1.0);
+TraceSettings tracing(int rays, Falloff falloff = Falloff::Off, double radius = 1.0);
 
 } // namespace aolib::test

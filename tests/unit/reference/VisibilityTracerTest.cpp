@@ -82,7 +82,7 @@ TEST(VisibilityTracer, FarTranslationDoesNotMatter) {
 
 TEST(VisibilityTracer, EmptySceneIsOpen) {
     const RayScene scene = sceneOf({});
-    for (const Falloff falloff : {Falloff::Step, Falloff::Exp, Falloff::None}) {
+    for (const Falloff falloff : {Falloff::Step, Falloff::Exp, Falloff::Off}) {
         const auto estimate = visibilityAt(scene, {{1.0, 2.0, 3.0}, normal}, tracing(64, falloff));
         EXPECT_EQ(estimate.visibility, 1.0);
         EXPECT_EQ(estimate.variance, 0.0);
@@ -215,7 +215,7 @@ TEST(VisibilityTracer, BadSettingsAndReceiversAreRefused) {
     EXPECT_EQ(code(tracing((1 << 24) + 1)), StatusCode::InvalidOption);
     EXPECT_EQ(code(tracing(64, Falloff::Step, 0.0)), StatusCode::InvalidOption);
     EXPECT_EQ(code(tracing(64, Falloff::Exp, nan)), StatusCode::InvalidOption);
-    EXPECT_EQ(code(tracing(64, Falloff::None, 0.0)), StatusCode::Ok);
+    EXPECT_EQ(code(tracing(64, Falloff::Off, 0.0)), StatusCode::Ok);
     TraceSettings settings = tracing(64);
     settings.threads = -1;
     EXPECT_EQ(code(settings), StatusCode::InvalidOption);

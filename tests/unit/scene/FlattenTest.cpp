@@ -15,7 +15,7 @@ Indices flattened(AoPrimitive primitive, const Indices& run) {
 
 StatusCode codeOf(AoPrimitive primitive, const Indices& run) {
     Indices triangles{7, 8, 9};
-    const Status status = flatten(primitive, run, triangles);
+    const AoStatus status = flatten(primitive, run, triangles);
     EXPECT_EQ(triangles, (Indices{7, 8, 9})) << "a refused run must append nothing";
     return status.code();
 }

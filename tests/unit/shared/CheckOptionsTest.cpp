@@ -12,7 +12,7 @@ template <typename Change>
 void expectRefused(const char* name, Change&& change) {
     Options options;
     change(options);
-    const Status status = checkOptions(options);
+    const AoStatus status = checkOptions(options);
     EXPECT_EQ(status.code(), StatusCode::InvalidOption) << name;
     EXPECT_NE(status.message().find(name), std::string::npos) << status.message();
 }

@@ -51,8 +51,8 @@ struct Cell {
     std::vector<double> processor;
 };
 
-Status measure(Cell& cell, const BakeMesh& mesh, const BakePlan& plan, const bake::BakedMap& truth,
-               const ProcAddressLoader& loader) {
+AoStatus measure(Cell& cell, const BakeMesh& mesh, const BakePlan& plan,
+                 const bake::BakedMap& truth, const ProcAddressLoader& loader) {
     const Result<Baker> baker = bakerOf(mesh, cell.row.method, cell.row.samples, loader);
     const Clock::time_point start = Clock::now();
     const std::clock_t used = std::clock();
@@ -199,7 +199,7 @@ runBakePlan(const BakePlan& plan, const BakeMemory& memory, const ProcAddressLoa
         }
         const Result<bake::BakedMap> truth = truthOf(mesh, plan, memory.truths);
         if (!truth) {
-            return Status(truth.status().code(), mesh.name + ": " + truth.status().message());
+            return AoStatus(truth.status().code(), mesh.name + ": " + truth.status().message());
         }
         // All lines by turns: what else the machine does meets them alike.
         const std::size_t count = cells.size() * static_cast<std::size_t>(plan.repeats);
@@ -210,8 +210,8 @@ runBakePlan(const BakePlan& plan, const BakeMemory& memory, const ProcAddressLoa
             if (!tell(what, share(double(i) / double(count)))) {
                 return rows;
             }
-            if (Status status = measure(cell, mesh, plan, *truth, loader); !status) {
-                return Status(status.code(), what + ": " + status.message());
+            if (AoStatus status = measure(cell, mesh, plan, *truth, loader); !status) {
+                return AoStatus(status.code(), what + ": " + status.message());
             }
             if (i + cells.size() >= count) {
                 rows.push_back(cell.row);

@@ -210,7 +210,7 @@ runVertexPlan(const BakePlan& plan, const ProcAddressLoader& loader,
         const auto truth =
             verticesOf(bake::createRayBaker(cut.scene, rays), bake::VertexFit::Direct);
         if (!truth) {
-            return Status(truth.status().code(), mesh.name + ": " + truth.status().message());
+            return AoStatus(truth.status().code(), mesh.name + ": " + truth.status().message());
         }
         for (const int samples : plan.samples) {
             for (const VertexMethod& how : ways) {
@@ -222,7 +222,7 @@ runVertexPlan(const BakePlan& plan, const ProcAddressLoader& loader,
                 const Result<VertexRow> row =
                     measuredVertices(mesh, cut, samples, how, *truth, loader);
                 if (!row) {
-                    return Status(row.status().code(), what + ": " + row.status().message());
+                    return AoStatus(row.status().code(), what + ": " + row.status().message());
                 }
                 rows.push_back(*row);
             }

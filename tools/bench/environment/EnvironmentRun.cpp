@@ -71,11 +71,11 @@ public:
             const ProcAddressLoader& loader)
         : plan_(plan), view_(view), gl_(gl), loader_(loader) {}
 
-    Status open();
-    Status measure(const NamedEnvironment& environment, EnvironmentFigures& figures);
+    AoStatus open();
+    AoStatus measure(const NamedEnvironment& environment, EnvironmentFigures& figures);
 
 private:
-    Status drawn(LitMethod method, const LightList& truth, EnvironmentRow& row);
+    AoStatus drawn(LitMethod method, const LightList& truth, EnvironmentRow& row);
 
     const EnvironmentPlan& plan_;
     const EnvironmentView& view_;
@@ -88,7 +88,7 @@ private:
     FloatImage picture_; ///< the one drawn last
 };
 
-Status ViewRun::open() {
+AoStatus ViewRun::open() {
     Result<RayScene> scene = RayScene::create(view_.scene.mesh());
     if (!scene) {
         return scene.status();
@@ -117,7 +117,7 @@ Status ViewRun::open() {
     return {};
 }
 
-Status ViewRun::drawn(LitMethod method, const LightList& truth, EnvironmentRow& row) {
+AoStatus ViewRun::drawn(LitMethod method, const LightList& truth, EnvironmentRow& row) {
     const glm::mat4 view = viewMatrix(view_.camera);
     const glm::mat4 projection = projectionMatrix(
         view_.camera, static_cast<float>(plan_.width) / static_cast<float>(plan_.height));
@@ -147,7 +147,7 @@ Status ViewRun::drawn(LitMethod method, const LightList& truth, EnvironmentRow& 
     return {};
 }
 
-Status ViewRun::measure(const NamedEnvironment& environment, EnvironmentFigures& figures) {
+AoStatus ViewRun::measure(const NamedEnvironment& environment, EnvironmentFigures& figures) {
     LightSettings settings;
     settings.rays = plan_.truthRays;
     Result<LightList> truth =
@@ -155,7 +155,7 @@ Status ViewRun::measure(const NamedEnvironment& environment, EnvironmentFigures&
     if (!truth) {
         return truth.status();
     }
-    if (Status status = renderer_->setEnvironment(loader_, environment.map); !status) {
+    if (AoStatus status = renderer_->setEnvironment(loader_, environment.map); !status) {
         return status;
     }
     EnvironmentRow row;
@@ -175,7 +175,7 @@ Status ViewRun::measure(const NamedEnvironment& environment, EnvironmentFigures&
     std::vector<ByteImage> strip;
     for (const LitMethod method : kDrawnMethods) {
         row.method = method;
-        if (Status status = drawn(method, *truth, row); !status) {
+        if (AoStatus status = drawn(method, *truth, row); !status) {
             return status;
         }
         figures.rows.push_back(row);
@@ -226,16 +226,16 @@ runEnvironmentPlan(const EnvironmentPlan& plan, const gl::Functions& gl,
             return figures;
         }
         ViewRun run(plan, view, gl, loader);
-        if (Status status = run.open(); !status) {
-            return Status(status.code(), view.scene.name + ": " + status.message());
+        if (AoStatus status = run.open(); !status) {
+            return AoStatus(status.code(), view.scene.name + ": " + status.message());
         }
         for (const NamedEnvironment& environment : plan.environments) {
             const std::string what = view.scene.name + ", " + environment.name;
             if (!tell(what, double(figures.strips.size()) / all)) {
                 return figures;
             }
-            if (Status status = run.measure(environment, figures); !status) {
-                return Status(status.code(), what + ": " + status.message());
+            if (AoStatus status = run.measure(environment, figures); !status) {
+                return AoStatus(status.code(), what + ": " + status.message());
             }
         }
     }

@@ -31,7 +31,7 @@ Result<LitPixels> litPixels(const RayScene& scene, const NamedCamera& camera, in
     view.height = height;
     PictureSettings settings;
     settings.trace.rays = 2; // the surfaces alone are wanted
-    settings.trace.falloff = Falloff::None;
+    settings.trace.falloff = Falloff::Off;
     settings.normals = NormalSource::Given;
     settings.surfaces = true;
     const Result<Picture> picture = tracePicture(scene, view, settings);

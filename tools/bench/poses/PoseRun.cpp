@@ -101,7 +101,7 @@ public:
         bakes_ = most + plan.tests + 2;
     }
 
-    Status prepare();
+    AoStatus prepare();
     Result<PoseRow> row(int poses) const;
 
 private:
@@ -127,16 +127,16 @@ private:
 
 Result<Baked> PoseRun::bakeAt(double time, std::uint32_t seed) {
     if (!goOn_(double(done_++) / double(bakes_))) {
-        return Status(StatusCode::Cancelled, "the run was cancelled");
+        return AoStatus(StatusCode::Cancelled, "the run was cancelled");
     }
     const Loaded<PosedModel> model = plan_.model->posedAt(plan_.animation, time);
     if (!model) {
-        return Status(StatusCode::InvalidPosition, model.sentence());
+        return AoStatus(StatusCode::InvalidPosition, model.sentence());
     }
     return baked(*model, plan_.rays, seed);
 }
 
-Status PoseRun::prepare() {
+AoStatus PoseRun::prepare() {
     for (const int poses : plan_.poses) {
         for (int key = 0; key < poses; ++key) {
             const double time = keyTime(key, poses);
@@ -220,7 +220,7 @@ Result<PoseRow> PoseRun::row(int poses) const {
 Result<std::vector<PoseRow>> runPosePlan(const PosePlan& plan,
                                          const std::function<bool(double done)>& goOn) {
     PoseRun run(plan, goOn);
-    if (Status status = run.prepare(); !status) {
+    if (AoStatus status = run.prepare(); !status) {
         return status;
     }
     std::vector<PoseRow> rows;

@@ -43,6 +43,7 @@ struct TexelRequest {
 /// The answer to a request: arrays of `width * height`, row 0 at the bottom.
 struct TracedTexels {
     TexelRequest request;
+    std::uint64_t scene = 0; ///< the number of the scene that was traced, as `setScene()` gave it
     std::vector<float>
         visibility;              ///< mean W over exactly the request's rays; 1 where nothing is hit
     std::vector<float> distance; ///< of the surface that the texel's centre sees, along its ray;
@@ -67,10 +68,14 @@ public:
     /// Stops the workers, whatever they are at.
     virtual ~AbstractTexelTracer();
 
-    /// Exchanges the scene: indexed triangles in world space. Drops all requests, results and the
-    /// failure that `status()` told. Returns at once: a worker builds the acceleration structure,
-    /// and requests wait for it. A scene without triangles is allowed: nothing is ever hit.
-    virtual void setScene(std::vector<glm::vec3> positions, std::vector<std::uint32_t> indices) = 0;
+    /// Exchanges the scene: indexed triangles in world space. Returns at once: a worker builds the
+    /// acceleration structure, and until it is there requests are traced in the scene before, if
+    /// there is one. Requests and results stay; each result names its scene. Of scenes that come
+    /// faster than they can be built, some are left out, never the latest. Forgets the failure that
+    /// `status()` told. A scene without triangles is allowed: nothing is ever hit.
+    /// @return a number for the scene, above that of every scene before it, at least 1.
+    virtual std::uint64_t setScene(std::vector<glm::vec3> positions,
+                                   std::vector<std::uint32_t> indices) = 0;
 
     /// Replaces the queue, first served first. What a worker has begun goes on; its result still
     /// comes. Requests out of range are left out, and all of them where there is no scene or it was

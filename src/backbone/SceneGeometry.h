@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -18,8 +19,15 @@ public:
     struct Piece {
         gl::VertexArray triangles;
         std::optional<Solids> solids; ///< found when an estimator needs them
-        std::uint32_t firstSolid = 0; ///< solids of the pieces before this one
     };
+    /// A mesh as it stood when it was asked for.
+    struct Instance {
+        std::shared_ptr<const Piece> piece;
+        glm::mat4 transform;
+        Bounds bounds;            ///< world units
+        std::uint32_t firstSolid; ///< solids of the instances before this one
+    };
+    using Instances = std::vector<Instance>;
 
     /// Uploads what is new or changed, drops what is gone.
     /// @param solids  whether the pieces must tell solids from sheets. Errors: OutOfMemory.
@@ -27,14 +35,16 @@ public:
                     const std::vector<Scene::Change>& changes, bool solids);
     /// Drops what changed, without uploading anything.
     void forget(const std::vector<Scene::Change>& changes);
-    const Piece& piece(MeshId id) const { return pieces_.at(id); }
+    /// The scene as it is now, for whoever draws it over several frames: later changes leave what
+    /// it holds as it is.
+    std::shared_ptr<const Instances> instances(const Scene& scene) const;
     std::size_t bytes() const;
 
-    /// The solids, numbered from 1 across all pieces, that contain a point (world units).
+    /// The solids, numbered from 1 across all instances, that contain a point (world units).
     std::vector<float> solidsAround(const Scene& scene, const glm::vec3& point) const;
 
 private:
-    std::map<MeshId, Piece> pieces_;
+    std::map<MeshId, std::shared_ptr<const Piece>> pieces_;
 };
 
 } // namespace aolib

@@ -29,28 +29,25 @@ TexelTracer::~TexelTracer() {
     std::ranges::for_each(workers_, [](std::jthread& worker) { worker.request_stop(); });
 }
 
-void TexelTracer::setScene(std::vector<glm::vec3> positions, std::vector<std::uint32_t> indices) {
-    // What is dropped is destroyed after the lock is released.
-    std::deque<TexelRequest> queue;
-    std::deque<TracedTexels> finished;
+std::uint64_t TexelTracer::setScene(std::vector<glm::vec3> positions,
+                                    std::vector<std::uint32_t> indices) {
+    // What it replaces is destroyed after the lock is released.
+    std::optional<Numbered<TriangleMesh>> mesh;
+    mesh.emplace().content = {std::move(positions), {}, std::move(indices)};
     const std::scoped_lock lock(mutex_);
-    ++epoch_;
-    queue_.swap(queue);
-    finished_.swap(finished);
-    begun_ = 0;
-    building_ = false;
+    mesh->number = ++given_;
+    mesh_.swap(mesh);
     status_ = {};
-    mesh_ = TriangleMesh{std::move(positions), {}, std::move(indices)};
     startWorkers(1);
     work_.notify_one();
-    changed_.notify_all();
+    return given_;
 }
 
 void TexelTracer::request(std::vector<TexelRequest> queue) {
     const std::scoped_lock lock(mutex_);
     try {
         queue_.clear();
-        if (!mesh_ && !building_ && !scene_) {
+        if (!mesh_ && !building_ && !scene_.content) {
             if (!queue.empty()) {
                 fail({StatusCode::NoScene, "requests for texels before setScene()"});
             }
@@ -125,18 +122,17 @@ void TexelTracer::startWorkers(std::size_t count) {
     }
 }
 
-bool TexelTracer::somethingToDo() const {
-    return mesh_ || (scene_ && !queue_.empty());
+/// Under the lock.
+bool TexelTracer::mayBuild() const {
+    return mesh_ && !building_ && (!canTrace() || Clock::now() >= nextBuild_);
 }
 
 void TexelTracer::work(const std::stop_token& stop) {
     std::unique_lock lock(mutex_);
-    while (work_.wait(lock, stop, [this] { return somethingToDo(); }) && !stop.stop_requested()) {
-        const auto current = [this, &stop, begun = epoch_.load()] {
-            return !stop.stop_requested() && epoch_.load(std::memory_order_relaxed) == begun;
-        };
-        const KeepGoing keepGoing = std::cref(current); // needs no memory
-        if (mesh_) {
+    const auto goesOn = [&stop] { return !stop.stop_requested(); };
+    const KeepGoing keepGoing = std::cref(goesOn); // needs no memory
+    while (work_.wait(lock, stop, [this] { return canTrace() || mayBuild(); }) && goesOn()) {
+        if (mayBuild()) {
             buildScene(lock, keepGoing);
         } else {
             traceNext(lock, keepGoing);
@@ -146,15 +142,13 @@ void TexelTracer::work(const std::stop_token& stop) {
 
 void TexelTracer::buildScene(std::unique_lock<std::mutex>& lock, const KeepGoing& keepGoing) {
     building_ = true;
-    const Epoch epoch = epoch_;
-    TriangleMesh mesh = *std::exchange(mesh_, std::nullopt);
-    std::shared_ptr<const RayScene> old = std::move(scene_);
+    Numbered<TriangleMesh> mesh = *std::exchange(mesh_, std::nullopt);
     lock.unlock();
-    old.reset();
+    const Clock::time_point start = Clock::now();
     std::shared_ptr<const RayScene> built;
     AoStatus status;
     try {
-        Result<RayScene> result = RayScene::create(std::move(mesh), keepGoing);
+        Result<RayScene> result = RayScene::create(std::move(mesh.content), keepGoing);
         status = result.status();
         if (result) {
             built = std::make_shared<RayScene>(std::move(*result));
@@ -162,45 +156,44 @@ void TexelTracer::buildScene(std::unique_lock<std::mutex>& lock, const KeepGoing
     } catch (const std::bad_alloc&) {
         status = outOfMemory();
     }
+    const Clock::time_point end = Clock::now();
     lock.lock();
-    if (epoch != epoch_) {
-        lock.unlock();
-        built.reset();
-        lock.lock();
-        return;
-    }
     building_ = false;
-    scene_ = std::move(built);
-    if (!scene_) {
+    nextBuild_ = end + (end - start);
+    if (mesh.number == given_) { // of a scene that was replaced meanwhile nobody asks
+        fail(std::move(status));
+    }
+    if (!built && mesh.number == given_) {
         queue_.clear();
     }
-    fail(std::move(status));
+    scene_.number = mesh.number;
+    scene_.content.swap(built);
     work_.notify_all();
     changed_.notify_all();
+    lock.unlock();
+    built.reset(); // the scene before, unless it is still traced
+    lock.lock();
 }
 
 void TexelTracer::traceNext(std::unique_lock<std::mutex>& lock, const KeepGoing& keepGoing) {
-    const Epoch epoch = epoch_;
     const TexelRequest request = queue_.front();
     queue_.pop_front();
     ++begun_;
-    std::shared_ptr<const RayScene> scene = scene_;
+    Numbered<std::shared_ptr<const RayScene>> scene = scene_;
     lock.unlock();
     std::optional<TracedTexels> traced;
     AoStatus status;
     try {
-        traced = traceRequest(*scene, request, keepGoing);
+        traced = traceRequest(*scene.content, request, keepGoing);
     } catch (const std::bad_alloc&) {
         status = outOfMemory();
     }
-    scene.reset();
+    scene.content.reset();
     lock.lock();
-    if (epoch != epoch_) {
-        return;
-    }
     --begun_;
     try {
         if (traced) {
+            traced->scene = scene.number;
             finished_.push_back(std::move(*traced));
         }
     } catch (const std::bad_alloc&) {

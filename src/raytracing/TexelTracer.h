@@ -1,6 +1,6 @@
 #pragma once
 
-#include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
@@ -19,18 +19,17 @@
 
 namespace aolib {
 
-/// A queue of requests and the workers that serve it.
-///
-/// Every `setScene()` begins a new epoch. A worker traces, or builds a scene, without the lock and
-/// asks between pieces whether its epoch is still the current one; what it made for an older one is
-/// dropped.
+/// A queue of requests and the workers that serve it, without the lock while they trace or build a
+/// scene. Neither keeps the other waiting for ever: the next scene is built once requests have been
+/// traced for as long as the last one took to build, or when there is nothing to trace.
 class TexelTracer final : public AbstractTexelTracer {
 public:
     /// @param threads  at least 1.
     explicit TexelTracer(int threads);
     ~TexelTracer() override;
 
-    void setScene(std::vector<glm::vec3> positions, std::vector<std::uint32_t> indices) override;
+    std::uint64_t setScene(std::vector<glm::vec3> positions,
+                           std::vector<std::uint32_t> indices) override;
     void request(std::vector<TexelRequest> queue) override;
     std::vector<TracedTexels> take(std::size_t most) override;
     bool wait(double milliseconds) override;
@@ -38,10 +37,17 @@ public:
     AoStatus status() const override;
 
 private:
-    using Epoch = std::uint64_t;
+    using Clock = std::chrono::steady_clock;
+    /// A scene, and the number that it was given.
+    template <typename T>
+    struct Numbered {
+        std::uint64_t number = 0;
+        T content{};
+    };
 
     void work(const std::stop_token& stop);
-    bool somethingToDo() const;
+    bool canTrace() const { return scene_.content && !queue_.empty(); }
+    bool mayBuild() const;
     void buildScene(std::unique_lock<std::mutex>& lock, const KeepGoing& keepGoing);
     void traceNext(std::unique_lock<std::mutex>& lock, const KeepGoing& keepGoing);
     bool idle() const { return queue_.empty() && begun_ == 0; }
@@ -51,16 +57,17 @@ private:
     const std::size_t threads_;
 
     mutable std::mutex mutex_;
-    std::condition_variable_any work_; ///< there is something to do
-    std::condition_variable changed_;  ///< something was finished, or the queue is empty
-    std::optional<TriangleMesh> mesh_; ///< waits for a worker to build its scene
-    bool building_ = false;            ///< the current epoch's scene
-    std::shared_ptr<const RayScene> scene_;
+    std::condition_variable_any work_;           ///< there is something to do
+    std::condition_variable changed_;            ///< something was finished, or the queue is empty
+    std::optional<Numbered<TriangleMesh>> mesh_; ///< waits for a worker to build its scene
+    std::uint64_t given_ = 0;                    ///< scenes so far
+    bool building_ = false;
+    Numbered<std::shared_ptr<const RayScene>> scene_; ///< the latest that was built
+    Clock::time_point nextBuild_{}; ///< while there is something to trace, none is built before
     std::deque<TexelRequest> queue_;
-    std::size_t begun_ = 0; ///< requests of the current epoch that workers are at
+    std::size_t begun_ = 0; ///< requests that workers are at
     std::deque<TracedTexels> finished_;
     AoStatus status_;
-    std::atomic<Epoch> epoch_{0};       ///< written under the lock
     std::vector<std::jthread> workers_; ///< last, so that they end first
 };
 

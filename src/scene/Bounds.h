@@ -19,6 +19,12 @@ struct Bounds {
     /// Length of the diagonal, the "size" of a scene; 0 when empty.
     float diagonal() const { return empty() ? 0.0F : glm::distance(min, max); }
 
+    /// @param number  0 to 7: bits 0, 1 and 2 choose between min and max of x, y and z.
+    glm::vec3 corner(unsigned number) const {
+        return {(number & 1U) != 0 ? max.x : min.x, (number & 2U) != 0 ? max.y : min.y,
+                (number & 4U) != 0 ? max.z : min.z};
+    }
+
     void include(const glm::vec3& point) {
         min = glm::min(min, point);
         max = glm::max(max, point);
@@ -27,7 +33,19 @@ struct Bounds {
         min = glm::min(min, other.min);
         max = glm::max(max, other.max);
     }
+    /// Distances of its nearest and farthest point from a point; of a box that is not empty.
+    float nearest(const glm::vec3& from) const {
+        return glm::distance(from, glm::clamp(from, min, max));
+    }
+    float farthest(const glm::vec3& from) const {
+        return glm::length(glm::max(glm::abs(min - from), glm::abs(max - from)));
+    }
     Bounds inflated(float by) const { return empty() ? *this : Bounds{min - by, max + by}; }
+    /// Whether they share a point; an empty one shares none.
+    bool meets(const Bounds& other) const {
+        return glm::all(glm::lessThanEqual(min, other.max)) &&
+               glm::all(glm::lessThanEqual(other.min, max));
+    }
     bool contains(const glm::vec3& p) const {
         return glm::all(glm::lessThanEqual(min, p)) && glm::all(glm::lessThanEqual(p, max));
     }
@@ -39,11 +57,8 @@ inline Bounds transformed(const Bounds& box, const glm::mat4& matrix) {
     if (box.empty()) {
         return result;
     }
-    for (int corner = 0; corner < 8; ++corner) {
-        const glm::vec3 p{(corner & 1) != 0 ? box.max.x : box.min.x,
-                          (corner & 2) != 0 ? box.max.y : box.min.y,
-                          (corner & 4) != 0 ? box.max.z : box.min.z};
-        result.include(glm::vec3(matrix * glm::vec4(p, 1.0F)));
+    for (unsigned corner = 0; corner < 8; ++corner) {
+        result.include(glm::vec3(matrix * glm::vec4(box.corner(corner), 1.0F)));
     }
     return result;
 }

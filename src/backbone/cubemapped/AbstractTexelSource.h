@@ -6,6 +6,7 @@
 #include <aolib/Status.h>
 
 #include "backbone/cubemapped/CubeMapProjector.h"
+#include "scene/Scene.h"
 
 namespace aolib {
 
@@ -31,9 +32,17 @@ public:
     virtual bool lacks(const CubeMapProjector& projector) const {
         return projector.tiles.lacks(passes());
     }
-    /// Whether it is about to look at the scene, over several frames.
-    virtual bool capturing(CubeMapId /*id*/) const { return false; }
-    /// Forgets what it holds for a cube map that is gone or has to begin again.
+    /// The scene has changed: marks the tiles for which it has as outdated, and their cube map.
+    /// What they show stays.
+    /// @param reach  of occluders, world units; may be infinite
+    virtual void sceneChanged(CubeMapProjector& projector, const Scene::Change& change,
+                              float reach) = 0;
+    /// Whether outdated tiles may begin again now. What is on its way ends before, where beginning
+    /// again and again would never let it end.
+    virtual bool mayRestart(const CubeMapProjector& /*projector*/) const { return true; }
+    /// Outdated tiles begin again.
+    virtual void restart(CubeMapProjector& projector) = 0;
+    /// Forgets what it holds for a cube map that is gone or of which nothing counts any more.
     virtual void forget(CubeMapId id) = 0;
     /// GPU memory held for cube maps on their way.
     virtual std::size_t bytes() const { return 0; }

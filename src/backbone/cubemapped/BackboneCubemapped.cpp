@@ -48,7 +48,6 @@ BackboneCubemapped::create(const BackboneContext& context) {
     then(backbone->projection_);
     then(backbone->fallback_);
     then(backbone->survey_);
-    then(backbone->sight_);
     then(backbone->outlines_);
     if (status && context.options.estimator != Estimator::RayTraced) {
         status = backbone->schedule_.chooseSource(); // fails here rather than in a frame
@@ -153,24 +152,28 @@ void BackboneCubemapped::markAllDirty() {
     }
 }
 
+void BackboneCubemapped::markAllOutdated() {
+    for (const auto& projector : cubeMaps_.all()) {
+        projector->tiles.setAllOutdated();
+        projector->outdated = true;
+    }
+}
+
 void BackboneCubemapped::optionsChanged(const Options& before) {
     if (before.estimator != context_.options.estimator) {
         for (const auto& projector : cubeMaps_.all()) {
             schedule_.forget(projector->id()); // what another source holds
         }
+        markAllDirty();
     }
     if (!sameEstimate(before, context_.options)) { // the radius is watched where it is used
-        markAllDirty();
+        markAllOutdated();
         repair_.restart();
     }
 }
 
 AoStatus BackboneCubemapped::followScene() {
     const std::vector<Scene::Change> changes = context_.scene.takeChanges();
-    if (!changes.empty()) {
-        schedule_.sceneChanged();
-        repair_.restart();
-    }
     if (context_.options.estimator == Estimator::RayTraced) {
         sceneGeometry_.forget(changes); // rays need no triangles on the GPU
     } else if (AoStatus status =
@@ -180,27 +183,16 @@ AoStatus BackboneCubemapped::followScene() {
         markAllDirty(); // the changes are taken and will not come again
         return status;
     }
-    const float reach = radius();
-    if (reach != builtRadius_) {
-        builtRadius_ = reach;
-        markAllDirty();
-        repair_.restart();
+    if (!changes.empty()) {
+        // Receivers up to that far away from a change see a difference.
+        const float reach = occluderReach(context_.options.falloff, radius());
+        schedule_.sceneChanged(cubeMaps_.all(), changes, reach);
+        repair_.sceneChanged(changes, reach);
     }
-    for (const Scene::Change& change : changes) {
-        // Receivers up to a radius away from the change see a difference.
-        const Bounds region = change.region.inflated(reach);
-        for (const auto& projector : cubeMaps_.all()) {
-            // What it keeps does not tell what a capture on its way sees, nor may it begin again
-            // with each step of something that moves out of sight. Other meshes, other numbers.
-            const bool capturing = schedule_.capturing(projector->id());
-            projector->outdated = projector->outdated || capturing;
-            projector->dirty = projector->dirty || (capturing && change.geometry) ||
-                               sight_->sees(context_, *projector, cubeMaps_.store(), region);
-            if (!projector->dirty && cubeMaps_.blocks().scale() == 1) { // of what it does not see
-                projector->dropBlocks(cubeMaps_.store(), cubeMaps_.blocks(), region);
-                schedule_.changedBehind(*projector, region);
-            }
-        }
+    if (const float inForce = radius(); inForce != builtRadius_) {
+        builtRadius_ = inForce;
+        markAllOutdated();
+        repair_.restart();
     }
     return {};
 }

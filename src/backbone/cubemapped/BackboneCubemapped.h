@@ -11,7 +11,6 @@
 #include "backbone/cubemapped/CubeMaps.h"
 #include "backbone/cubemapped/Fallback.h"
 #include "backbone/cubemapped/Projection.h"
-#include "backbone/cubemapped/SightTest.h"
 #include "backbone/cubemapped/Survey.h"
 #include "backbone/cubemapped/ViewRepair.h"
 
@@ -55,6 +54,8 @@ private:
     /// Follows the scene: uploads, and marks the cube maps that see a change.
     AoStatus followScene();
     void markAllDirty();
+    /// All is to be computed again, and shown until it is.
+    void markAllOutdated();
     void cubeMapsChanged();
     /// One is about to go.
     void cubeMapGoes(CubeMapProjector& projector);
@@ -82,7 +83,6 @@ private:
     std::optional<Projection> projection_;
     std::optional<Fallback> fallback_;
     std::optional<Survey> survey_;
-    std::optional<SightTest> sight_;
     std::optional<CubeMapOutlines> outlines_;
 
     float builtRadius_ = 0.0F; ///< that the cube maps which are not dirty were built with

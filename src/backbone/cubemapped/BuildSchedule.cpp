@@ -94,18 +94,17 @@ bool BuildSchedule::tracesPixels() const {
            (options.estimator == Estimator::RayTraced || (layered && raysTell(context_.scene)));
 }
 
-void BuildSchedule::sceneChanged() {
+void BuildSchedule::sceneChanged(const std::vector<std::unique_ptr<CubeMapProjector>>& projectors,
+                                 const std::vector<Scene::Change>& changes, float reach) {
     if (tracerQueue_) {
         tracerQueue_->setScene(context_.scene);
     }
-    if (traced_) {
-        traced_->sceneChanged();
-    }
-}
-
-void BuildSchedule::changedBehind(const CubeMapProjector& projector, const Bounds& region) {
-    if (raster_) {
-        raster_->changedBehind(projector.id(), region);
+    for (const auto& projector : projectors) {
+        for (const Scene::Change& change : changes) {
+            if (source_ != nullptr && !projector->dirty) {
+                source_->sceneChanged(*projector, change, reach);
+            }
+        }
     }
 }
 
@@ -133,7 +132,7 @@ AoStatus BuildSchedule::compute(const std::vector<CubeMapProjector*>& projectors
         return status;
     }
     for (CubeMapProjector* projector : projectors) {
-        const bool again = projector->outdated && !source_->capturing(projector->id());
+        const bool again = projector->outdated && (atOnce() || source_->mayRestart(*projector));
         const bool begins = projector->dirty || again;
         if (begins) {
             begin(*projector);
@@ -154,11 +153,14 @@ AoStatus BuildSchedule::compute(const std::vector<CubeMapProjector*>& projectors
 }
 
 void BuildSchedule::begin(CubeMapProjector& projector) {
-    forget(projector.id());
+    if (projector.dirty) {
+        forget(projector.id());
+        projector.dropBlocks(store_, blocks_);
+        projector.tiles.setAllOutdated();
+    }
+    source_->restart(projector);
     projector.outdated = false;
-    projector.dropBlocks(store_, blocks_);
     projector.buildMs = 0.0;
-    projector.tiles.restart();
     ++begun_;
 }
 
@@ -182,7 +184,8 @@ void BuildSchedule::bringIn(CubeMapProjector& projector) const {
         projector.bias = std::max(projector.bias - kStep, CubeMapProjector::kNewcomer);
     } else if (atOnce()) {
         projector.bias = 0.0F;
-    } else if (projector.bias < 0.0F && projector.shown && !projector.tiles.lacks(passes_)) {
+    } else if (projector.bias < 0.0F && projector.shown &&
+               !projector.tiles.lacksUndisturbed(passes_)) {
         projector.bias = std::min(projector.bias + kStep, 0.0F);
     }
 }

@@ -25,18 +25,16 @@ public:
     /// Errors: ShaderError, OutOfMemory, MissingCapability.
     AoStatus chooseSource();
     /// The scene is another.
-    void sceneChanged();
-    /// Something has changed within a region that a cube map does not see.
-    void changedBehind(const CubeMapProjector& projector, const Bounds& region);
+    /// @param changes  marked in the cube maps by whatever computes them.
+    /// @param reach    of occluders, world units; may be infinite
+    void sceneChanged(const std::vector<std::unique_ptr<CubeMapProjector>>& projectors,
+                      const std::vector<Scene::Change>& changes, float reach);
     /// The tracer is about to be exchanged.
     void dropTracer();
     /// What computes the pixels of views at rest; null where texels have to do.
     AbstractPixelSource* pixels() const { return pixels_; }
     /// Drops what is held for a cube map on its way.
     void forget(CubeMapId id);
-    /// Whether a cube map is about to look at the scene, over several frames.
-    bool capturing(CubeMapId id) const { return raster_ && raster_->capturing(id); }
-
     bool atOnce() const { return context_.options.frameBudget <= 0.0F; }
     /// Computes what cube maps lack, the first ones first: all of it, or as much as the budget
     /// allows. Lets those that are complete come in over a few frames.

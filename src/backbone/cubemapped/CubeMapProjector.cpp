@@ -3,14 +3,24 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "scene/Finite.h"
 #include "shared/cube_faces.h"
 #include "shared/distance_code.h"
 
 namespace aolib {
+
+namespace {
+
+/// How far a code that was exceeded reaches beyond what exceeded it, as a factor: it costs two bits
+/// of a logarithm that spans about ten.
+constexpr float kRoomInCode = 4.0F;
+
+} // namespace
 
 Result<CubeMapProjector> CubeMapProjector::create(const gl::Functions& gl, CubeMapId id,
                                                   const glm::vec3& position, int faceSize) {
@@ -26,16 +36,21 @@ Result<CubeMapProjector> CubeMapProjector::create(const gl::Functions& gl, CubeM
     return projector;
 }
 
-void CubeMapProjector::spanDistances(FaceStore& store, float nearest, float farthest) {
+bool CubeMapProjector::spanDistances(FaceStore& store, BlockStore& blocks, float nearest,
+                                     float farthest) {
     // A depth along a face's axis is a distance divided by at most sqrt(3).
     const float least = nearest / std::numbers::sqrt3_v<float>;
     if (least >= nearest_ && farthest <= farthest_) {
-        return;
+        return false;
     }
+    const float room = std::isfinite(nearest_) ? kRoomInCode : 1.0F;
+    dropBlocks(store, blocks);
     dropFaces(store);
-    nearest_ = least;
-    farthest_ = farthest;
+    tiles.forget();
+    nearest_ = least < nearest_ ? least / room : nearest_;
+    farthest_ = farthest > farthest_ ? farthest * room : farthest_;
     depthCode_ = shared::distanceSpan(nearest_, farthest_);
+    return true;
 }
 
 AoStatus CubeMapProjector::keepFace(FaceStore& store, int face) {
@@ -100,9 +115,16 @@ Result<int> CubeMapProjector::addBlock(const FaceStore& store, BlockStore& block
 
 void CubeMapProjector::dropBlocks(const FaceStore& store, BlockStore& blocks) {
     for (const auto& [tile, dropped] : blocks_) {
-        dropBlocks(store, blocks, tile, dropped);
+        giveBack(store, blocks, tile, dropped);
     }
     blocks_.clear();
+}
+
+void CubeMapProjector::dropBlocks(const FaceStore& store, BlockStore& blocks, int tile) {
+    if (const auto kept = blocks_.find(tile); kept != blocks_.end()) {
+        giveBack(store, blocks, tile, kept->second);
+        blocks_.erase(kept);
+    }
 }
 
 void CubeMapProjector::dropBlocks(const FaceStore& store, BlockStore& blocks,
@@ -110,14 +132,14 @@ void CubeMapProjector::dropBlocks(const FaceStore& store, BlockStore& blocks,
     std::erase_if(blocks_, [&](const auto& kept) {
         const bool hit = looksAt(kept.first, region);
         if (hit) {
-            dropBlocks(store, blocks, kept.first, kept.second);
+            giveBack(store, blocks, kept.first, kept.second);
         }
         return hit;
     });
 }
 
-void CubeMapProjector::dropBlocks(const FaceStore& store, BlockStore& blocks, int tile,
-                                  const std::vector<int>& dropped) {
+void CubeMapProjector::giveBack(const FaceStore& store, BlockStore& blocks, int tile,
+                                const std::vector<int>& dropped) {
     const TileProgress::Region region = tiles.region(tile);
     if (keeps(region.face)) {
         store.setPage(layer(region.face), glm::ivec2(region.x, region.y) / TileProgress::kTile, {});
@@ -136,17 +158,46 @@ bool CubeMapProjector::looksAt(int tile, const Bounds& region) const {
     const glm::vec2 high = perTexel * glm::vec2(t.x + t.width, t.y + t.height) - 1.0F;
     std::array<bool, 4> beyond{true, true, true, true};
     for (unsigned corner = 0; corner < 8; ++corner) {
-        const glm::vec3 p =
-            shared::toFace(t.face, glm::vec3((corner & 1U) != 0 ? region.max.x : region.min.x,
-                                             (corner & 2U) != 0 ? region.max.y : region.min.y,
-                                             (corner & 4U) != 0 ? region.max.z : region.min.z) -
-                                       position_);
+        const glm::vec3 p = shared::toFace(t.face, region.corner(corner) - position_);
         beyond[0] = beyond[0] && p.x < low.x * p.z;
         beyond[1] = beyond[1] && p.x > high.x * p.z;
         beyond[2] = beyond[2] && p.y < low.y * p.z;
         beyond[3] = beyond[3] && p.y > high.y * p.z;
     }
     return std::ranges::find(beyond, true) == beyond.end();
+}
+
+std::vector<int> CubeMapProjector::tilesTowards(const Bounds& region) const {
+    const auto size = static_cast<float>(tiles.faceSize());
+    std::vector<int> found;
+    if (!isFinite(region.min) || !isFinite(region.max)) {
+        found.resize(region.empty() ? 0 : static_cast<std::size_t>(tiles.count()));
+        std::iota(found.begin(), found.end(), 0);
+        return found;
+    }
+    for (int face = 0; face < kFaces; ++face) {
+        glm::vec2 low(size);
+        glm::vec2 high(0.0F);
+        int before = 0; // corners that lie before the face
+        for (unsigned corner = 0; corner < 8; ++corner) {
+            const glm::vec3 p = shared::toFace(face, region.corner(corner) - position_);
+            const glm::vec2 at = (glm::vec2(p) / p.z + 1.0F) * (0.5F * size);
+            if (p.z > 0.0F && std::isfinite(at.x) && std::isfinite(at.y)) {
+                ++before;
+                low = glm::min(low, at);
+                high = glm::max(high, at);
+            }
+        }
+        const bool whole = before == 8;
+        for (const int tile : before == 0 ? std::vector<int>()
+                              : whole     ? tiles.within(face, low, high)
+                                          : tiles.within(face, glm::vec2(0.0F), glm::vec2(size))) {
+            if (whole || looksAt(tile, region)) {
+                found.push_back(tile);
+            }
+        }
+    }
+    return found;
 }
 
 int CubeMapProjector::facesKept() const {

@@ -41,9 +41,12 @@ public:
 
     /// What the code of depths along a face's axis spans (shaders/shared/distance_code.h).
     const glm::vec2& depthCode() const { return depthCode_; }
-    /// Makes the code span distances from the centre, world units. What was kept by another code is
-    /// dropped; a code that spans them already stays.
-    void spanDistances(FaceStore& store, float nearest, float farthest);
+    /// Makes the code span distances from the centre, world units; a code that spans them already
+    /// stays. What was kept by another code is dropped, and its tiles begin anew. A code that was
+    /// exceeded once leaves room beyond: it is exceeded a few times at most, however far things
+    /// move.
+    /// @return whether the code is another now.
+    bool spanDistances(FaceStore& store, BlockStore& blocks, float nearest, float farthest);
 
     /// Makes room for a face that holds geometry. Errors: as FaceStore::take().
     AoStatus keepFace(FaceStore& store, int face);
@@ -62,10 +65,14 @@ public:
     /// One more block, behind those that a tile has: surfaces behind surfaces.
     Result<int> addBlock(const FaceStore& store, BlockStore& blocks, int tile);
     void dropBlocks(const FaceStore& store, BlockStore& blocks);
+    /// Those of a tile.
+    void dropBlocks(const FaceStore& store, BlockStore& blocks, int tile);
     /// Those of tiles that look towards a region: something there has changed.
     void dropBlocks(const FaceStore& store, BlockStore& blocks, const Bounds& region);
     /// Whether a region may lie before or behind a tile's texels.
     bool looksAt(int tile, const Bounds& region) const;
+    /// The tiles that look at a region, and perhaps some beside them.
+    std::vector<int> tilesTowards(const Bounds& region) const;
 
     /// Reads everything back; waits for the GPU.
     CubeMapImage read(const gl::Functions& gl, const FaceStore& store) const;
@@ -85,9 +92,9 @@ public:
     /// It shows more than before: surveys so far do not tell what it still hides.
     bool showsMore = false;
     std::uint64_t surveysBefore = 0; ///< number of the latest survey when it last showed more
-    /// The scene or the options changed what it sees: compute again before the next use.
+    /// What is kept, or on its way, is of no use: compute all of it before the next use.
     bool dirty = true;
-    /// The scene changed while it was captured: compute again afterwards, and the change shows.
+    /// Some of its tiles are outdated: compute these again as soon as what is on its way allows.
     bool outdated = false;
     /// Each tile that was asked for has had its first passes: it may be shown.
     bool shown = false;
@@ -98,8 +105,8 @@ public:
     gl::GpuTimer timer;
 
 private:
-    void dropBlocks(const FaceStore& store, BlockStore& blocks, int tile,
-                    const std::vector<int>& dropped);
+    void giveBack(const FaceStore& store, BlockStore& blocks, int tile,
+                  const std::vector<int>& dropped);
 
     CubeMapId id_{};
     glm::vec3 position_{};

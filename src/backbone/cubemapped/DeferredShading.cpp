@@ -107,10 +107,12 @@ DeferredShading::surroundings(const BackboneContext& context, const SceneGeometr
             range};
     }
     const DistanceRange range = distanceRange(context.scene, position);
-    const FaceCapture faces(context, geometry, centre, faceSize, range, view);
+    const FaceCapture faces(context, geometry.instances(context.scene), centre, faceSize, range,
+                            view);
     if (layered) {
-        return Surroundings{std::make_unique<LayerCapture>(context, geometry, faces, peeling_,
-                                                           context.options.layeredIntervals.layers),
+        return Surroundings{std::make_unique<LayerCapture>(
+                                context, faces, geometry.solidsAround(context.scene, position),
+                                peeling_, context.options.layeredIntervals.layers),
                             range};
     }
     return Surroundings{std::make_unique<NearestCapture>(context, faces, capture_), range};
@@ -118,12 +120,13 @@ DeferredShading::surroundings(const BackboneContext& context, const SceneGeometr
 
 Result<CubeMapCapture> DeferredShading::begin(const BackboneContext& context,
                                               const SceneGeometry& geometry,
-                                              CubeMapProjector& projector, FaceStore& store) {
+                                              CubeMapProjector& projector, FaceStore& store,
+                                              BlockStore& blocks) {
     auto around = surroundings(context, geometry, projector.position(), projector.tiles.faceSize());
     if (!around) {
         return around.status();
     }
-    projector.spanDistances(store, around->range.nearest, around->range.farthest);
+    projector.spanDistances(store, blocks, around->range.nearest, around->range.farthest);
     CubeMapCapture capture;
     capture.geometry = std::move(around->capture);
     return capture;

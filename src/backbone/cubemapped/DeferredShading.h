@@ -49,7 +49,7 @@ public:
 
     /// Begins a capture. Errors: NoScene, ShaderError. @param context  outlives it.
     Result<CubeMapCapture> begin(const BackboneContext& context, const SceneGeometry& geometry,
-                                 CubeMapProjector& projector, FaceStore& store);
+                                 CubeMapProjector& projector, FaceStore& store, BlockStore& blocks);
     /// The next unit of a capture that is not ready; the last ones make room for what is computed,
     /// and for the faces that hold geometry. Waits if the capture does. Errors: MissingCapability,
     /// OutOfMemory.

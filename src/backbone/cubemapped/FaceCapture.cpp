@@ -21,10 +21,6 @@ constexpr float kRangeSlack = 0.01F;
 /// finite.
 constexpr float kLeastNearest = 1e-5F;
 
-float farthestCorner(const Bounds& box, const glm::vec3& from) {
-    return glm::length(glm::max(glm::abs(box.min - from), glm::abs(box.max - from)));
-}
-
 /// Model to the cube's frame: world axes, origin at its centre. The subtraction is done in double.
 glm::mat4 modelToCube(const glm::mat4& model, const glm::dvec3& centre) {
     glm::dmat4 m(model);
@@ -71,7 +67,7 @@ bool reachesFace(const Bounds& box, const glm::dvec3& centre, int face) {
 }
 
 DistanceRange distanceRange(const Scene& scene, const glm::vec3& centre) {
-    const float farthest = farthestCorner(scene.bounds(), centre);
+    const float farthest = scene.bounds().farthest(centre);
     const float clearance = scene.clearance(centre).distance;
     return {std::max(clearance, kLeastNearest * farthest) * (1.0F - kRangeSlack),
             farthest * (1.0F + kRangeSlack)};
@@ -106,18 +102,18 @@ bool FaceCapture::draw(gl::GLSLShader& shader, int face) const {
     shader.set("uCubeToFace", frustum);
     gl.Enable(GL_DEPTH_TEST);
     bool drawn = false;
-    for (const auto& [id, mesh] : context_.scene.meshes()) {
-        if (!reaches(mesh.worldBounds(), centre_, frustum)) {
+    for (const SceneGeometry::Instance& instance : *instances_) {
+        if (!reaches(instance.bounds, centre_, frustum)) {
             continue;
         }
-        const SceneGeometry::Piece& piece = geometry_.piece(id);
-        shader.set("uModelToCube", modelToCube(mesh.transform, centre_));
-        shader.set("uNormalMatrix", normalMatrix(mesh.transform));
-        shader.set("uHasNormals", piece.triangles.hasNormals() ? 1 : 0);
-        const bool turned = glm::determinant(glm::mat3(mesh.transform)) < 0.0F;
+        const gl::VertexArray& triangles = instance.piece->triangles;
+        shader.set("uModelToCube", modelToCube(instance.transform, centre_));
+        shader.set("uNormalMatrix", normalMatrix(instance.transform));
+        shader.set("uHasNormals", triangles.hasNormals() ? 1 : 0);
+        const bool turned = glm::determinant(glm::mat3(instance.transform)) < 0.0F;
         shader.set("uMirrored", turned != mirrored ? 1 : 0);
-        shader.set("uFirstSolid", static_cast<float>(piece.firstSolid));
-        piece.triangles.drawTriangles();
+        shader.set("uFirstSolid", static_cast<float>(instance.firstSolid));
+        triangles.drawTriangles();
         drawn = true;
     }
     gl.Disable(GL_DEPTH_TEST);

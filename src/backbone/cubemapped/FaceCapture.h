@@ -1,6 +1,8 @@
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <utility>
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
@@ -39,18 +41,18 @@ struct ViewFace {
                        const ClipConvention& clip);
 };
 
-/// Draws the scene as it is seen from a point, with the shader that is bound. The near plane lies
-/// just within the distance to the nearest triangle: none is clipped, and the depth buffer's
-/// precision goes where geometry is.
+/// Draws the scene as it was at the beginning, seen from a point, with the shader that is bound.
+/// The near plane lies just within the distance to the nearest triangle: none is clipped, and the
+/// depth buffer's precision goes where geometry is.
 class FaceCapture {
 public:
     /// @param size  texels along a face's edge
     /// @param view  from the same centre, if there is one
-    FaceCapture(const BackboneContext& context, const SceneGeometry& geometry,
-                const glm::dvec3& centre, int size, const DistanceRange& range,
-                const std::optional<ViewFace>& view = {})
-        : context_(context), geometry_(geometry), centre_(centre), size_(size), range_(range),
-          view_(view) {}
+    FaceCapture(const BackboneContext& context,
+                std::shared_ptr<const SceneGeometry::Instances> instances, const glm::dvec3& centre,
+                int size, const DistanceRange& range, const std::optional<ViewFace>& view = {})
+        : context_(context), instances_(std::move(instances)), centre_(centre), size_(size),
+          range_(range), view_(view) {}
 
     /// Draws what lies before a face, or the view's, into the viewport, with depth test.
     /// @return whether there is anything.
@@ -67,7 +69,7 @@ public:
 
 private:
     const BackboneContext& context_;
-    const SceneGeometry& geometry_;
+    const std::shared_ptr<const SceneGeometry::Instances> instances_;
     const glm::dvec3 centre_;
     const int size_;
     const DistanceRange range_;

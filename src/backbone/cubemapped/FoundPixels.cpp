@@ -2,6 +2,7 @@
 
 #include <array>
 #include <utility>
+#include <vector>
 
 namespace aolib {
 
@@ -21,6 +22,14 @@ AoStatus FoundPixels::makeRoom(const gl::Functions& gl, const glm::ivec2& size) 
         gl.ClearBufferfv(GL_COLOR, 0, nothing.data());
     }
     return created.status();
+}
+
+void FoundPixels::drop(const glm::ivec2& low, const glm::ivec2& size) {
+    if (texture_ && size.x > 0 && size.y > 0) {
+        const std::vector<glm::vec2> nothing(
+            static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y), kNothing);
+        texture_->upload(0, low, size, nothing.data());
+    }
 }
 
 void FoundPixels::drop() {

@@ -20,6 +20,8 @@ public:
     AoStatus makeRoom(const gl::Functions& gl, const glm::ivec2& size);
     /// Forgets all.
     void drop();
+    /// Forgets those of a rectangle. @param size  pixels, may be 0 or below
+    void drop(const glm::ivec2& low, const glm::ivec2& size);
 
     /// Null without room.
     const gl::TextureStack* texture() const { return texture_ ? &*texture_ : nullptr; }

@@ -59,6 +59,13 @@ bool LayerCapture::waits() const {
     return readback.pending() && !readback.arrived();
 }
 
+LayerCapture::LayerCapture(const BackboneContext& context, const FaceCapture& faces,
+                           std::vector<float> around, LayerPeeling& peeling, int most)
+    : context_(context), faces_(faces), peeling_(peeling), most_(most) {
+    around.resize(std::min(around.size(), LayerPeeling::kMostAround));
+    marks_.around = std::move(around);
+}
+
 AoStatus LayerCapture::step() {
     const gl::DebugGroup group(context_.gl, "aolib: peel layers");
     AoStatus status;
@@ -109,8 +116,6 @@ AoStatus LayerCapture::makeTargets() {
     if (status && faces_.view()) {
         status = makeTargets((*targets_)[1], faces_.view()->size, 1);
     }
-    marks_.around = geometry_.solidsAround(context_.scene, glm::vec3(faces_.centre()));
-    marks_.around.resize(std::min(marks_.around.size(), LayerPeeling::kMostAround));
     return status;
 }
 

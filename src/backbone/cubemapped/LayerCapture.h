@@ -18,11 +18,11 @@ class LayerCapture final : public AbstractCapture {
 public:
     static constexpr int kMostLayers = 8;
 
+    /// @param around   the solids that contain the centre (SceneGeometry::solidsAround())
     /// @param peeling  outlives the capture.
     /// @param most     layers at most, 1 to kMostLayers.
-    LayerCapture(const BackboneContext& context, const SceneGeometry& geometry,
-                 const FaceCapture& faces, LayerPeeling& peeling, int most)
-        : context_(context), geometry_(geometry), faces_(faces), peeling_(peeling), most_(most) {}
+    LayerCapture(const BackboneContext& context, const FaceCapture& faces,
+                 std::vector<float> around, LayerPeeling& peeling, int most);
 
     bool complete() const override { return stage_ == Stage::Complete; }
     WorkUnit next() const override;
@@ -74,7 +74,6 @@ private:
     std::size_t at() const { return static_cast<std::size_t>(face_); }
 
     const BackboneContext& context_;
-    const SceneGeometry& geometry_;
     const FaceCapture faces_;
     LayerPeeling& peeling_;
     const int most_;

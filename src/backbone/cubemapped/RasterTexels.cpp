@@ -25,23 +25,29 @@ Result<std::unique_ptr<RasterTexels>> RasterTexels::create(const BackboneContext
     if (!shading) {
         return shading.status();
     }
+    auto sight = SightTest::create(context);
+    if (!sight) {
+        return sight.status();
+    }
     auto budget = FrameBudget::create(context.gl);
     if (!budget) {
         return budget.status();
     }
     texels->shading_ = std::move(*shading);
+    texels->sight_ = std::move(*sight);
     texels->budget_ = std::move(*budget);
     return texels;
 }
 
 Result<RasterTexels::Work*> RasterTexels::begin(CubeMapProjector& projector) {
-    auto capture = shading_.begin(context_, geometry_, projector, store_);
+    auto capture = shading_.begin(context_, geometry_, projector, store_, blocks_);
     if (!capture) {
         return capture.status();
     }
     Work& work = works_[projector.id()];
     work = {};
     work.capture = std::move(*capture);
+    work.mayBreak = !brokenOff_.contains(projector.id());
     for (int tile = 0; tile < projector.tiles.count();
          ++tile) { // what was begun went with the last
         const int had = projector.tiles.blockPasses(tile);
@@ -50,9 +56,46 @@ Result<RasterTexels::Work*> RasterTexels::begin(CubeMapProjector& projector) {
     return &work;
 }
 
-void RasterTexels::changedBehind(CubeMapId id, const Bounds& region) {
-    if (const auto work = works_.find(id); work != works_.end()) {
-        work->second.changed.include(region);
+void RasterTexels::sceneChanged(CubeMapProjector& projector, const Scene::Change& change,
+                                float reach) {
+    const Bounds region = change.region.inflated(reach);
+    // What it keeps does not tell what a capture on its way sees.
+    if (capturing(projector.id()) || sight_.sees(context_, projector, store_, region)) {
+        for (const int tile : projector.tilesTowards(region)) {
+            projector.tiles.setOutdated(tile);
+            projector.outdated = true;
+        }
+    } else if (blocks_.scale() == 1) { // of what it does not see
+        projector.dropBlocks(store_, blocks_, region);
+        if (const auto work = works_.find(projector.id()); work != works_.end()) {
+            work->second.changed.include(region);
+        }
+    }
+}
+
+bool RasterTexels::mayRestart(const CubeMapProjector& projector) const {
+    const auto work = works_.find(projector.id());
+    if (work == works_.end() || !lacks(projector)) {
+        return true;
+    }
+    return work->second.mayBreak && work->second.capture.ready &&
+           projector.tiles.fewestPasses() >= std::min(kFirstPasses, passes());
+}
+
+void RasterTexels::restart(CubeMapProjector& projector) {
+    const bool breaksOff = works_.contains(projector.id()) && lacks(projector);
+    if (breaksOff) {
+        brokenOff_.insert(projector.id());
+    } else {
+        brokenOff_.erase(projector.id());
+    }
+    works_.erase(projector.id());
+    for (int tile = 0; tile < projector.tiles.count(); ++tile) {
+        // What the last capture has added up of the others is gone with it.
+        if (projector.tiles.outdated(tile) || projector.tiles.passes(tile) < passes()) {
+            projector.dropBlocks(store_, blocks_, tile);
+            projector.tiles.restart(tile);
+        }
     }
 }
 

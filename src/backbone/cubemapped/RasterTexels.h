@@ -8,6 +8,7 @@
 
 #include "backbone/cubemapped/AbstractTexelSource.h"
 #include "backbone/cubemapped/DeferredShading.h"
+#include "backbone/cubemapped/SightTest.h"
 
 namespace aolib {
 
@@ -31,11 +32,14 @@ public:
     AoStatus advance(const std::vector<CubeMapProjector*>& projectors,
                      double milliseconds) override;
     bool lacks(const CubeMapProjector& projector) const override;
-    bool capturing(CubeMapId id) const override;
-    void forget(CubeMapId id) override { works_.erase(id); }
-    /// Something has changed within a region that a cube map does not see: what was captured of it
-    /// is of no use.
-    void changedBehind(CubeMapId id, const Bounds& region);
+    void sceneChanged(CubeMapProjector& projector, const Scene::Change& change,
+                      float reach) override;
+    bool mayRestart(const CubeMapProjector& projector) const override;
+    void restart(CubeMapProjector& projector) override;
+    void forget(CubeMapId id) override {
+        works_.erase(id);
+        brokenOff_.erase(id);
+    }
     std::size_t bytes() const override;
 
 private:
@@ -47,6 +51,7 @@ private:
         std::set<int> tiles;  ///< that have had passes from this capture
         std::set<int> toKeep; ///< of these, those that are still to be written once more
         Bounds changed;       ///< what is not as it was captured, out of sight
+        bool mayBreak = true; ///< it may be broken off: the one before was not
         int idleFrames = 0;
     };
 
@@ -56,6 +61,7 @@ private:
           radius_(std::move(radius)) {}
 
     Result<Work*> begin(CubeMapProjector& projector);
+    bool capturing(CubeMapId id) const;
     /// Goes on with a cube map while the frame has room. @return whether it has still.
     Result<bool> goOn(CubeMapProjector& projector);
     Result<bool> goOnCapturing(CubeMapProjector& projector, Work& work);
@@ -76,8 +82,10 @@ private:
     BlockStore& blocks_;
     std::function<float()> radius_;
     DeferredShading shading_;
+    SightTest sight_;
     FrameBudget budget_;
     std::map<CubeMapId, Work> works_;
+    std::set<CubeMapId> brokenOff_; ///< whose last work was not ended
 };
 
 } // namespace aolib

@@ -26,8 +26,29 @@ constexpr std::size_t kQueue = 512;
 /// Results that are taken before the clock is looked at again: a block of detail takes a while.
 constexpr std::size_t kAtATime = 1;
 
+/// Of the rays that tiles which begin again take, so many more go to tiles that are to be refined:
+/// what never rests leaves a third of the work to what does.
+constexpr double kRefinedShare = 0.5;
+/// Rays beyond which that debt does not grow: those of a few tiles.
+constexpr double kMostOwed = 4e6;
+/// Texels about those that are measured in which a surface may be that none of them sees.
+constexpr float kBetweenTexels = 2.0F;
+
 std::uint32_t number(const CubeMapProjector& projector) {
     return static_cast<std::uint32_t>(projector.id());
+}
+
+/// Where on its face the middle of a request's texel lies, 0 to 1.
+glm::vec2 texelAt(const TexelRequest& request, std::size_t number) {
+    const auto column = static_cast<int>(number) % request.width;
+    const auto row = static_cast<int>(number) / request.width;
+    return (glm::vec2(request.x + column, request.y + row) + 0.5F) /
+           static_cast<float>(request.faceSize);
+}
+
+/// Rays of a request.
+double cost(const TexelRequest& request) {
+    return double(request.rays) * request.width * request.height;
 }
 
 } // namespace
@@ -53,29 +74,51 @@ int RayTracedTexels::passes() const {
     return count;
 }
 
-void RayTracedTexels::sceneChanged() {
-    for (auto& [id, work] : works_) {
-        work.generation = nextGeneration();
+void RayTracedTexels::sceneChanged(CubeMapProjector& projector, const Scene::Change& change,
+                                   float reach) {
+    Work& work = workOf(projector);
+    work.spans = false;
+    const glm::vec3 centre = projector.position();
+    const Bounds within = change.region.inflated(reach);
+    const float seenFrom = change.region.nearest(centre);
+    for (const int tile : projector.tilesTowards(within)) {
+        Shown& shown = work.shown[static_cast<std::size_t>(tile)];
+        // Occluded from there, or else hidden by it or no longer.
+        const bool reached = within.meets(shown.surfaces);
+        const bool seen = seenFrom <= shown.farthest && projector.looksAt(tile, change.region);
+        if (!reached && !seen) {
+            continue;
+        }
+        shown.changedIn = queue_.scene();
+        if (projector.tiles.known(tile)) {
+            projector.tiles.setOutdated(tile);
+            projector.outdated = true;
+        }
     }
-    askedBefore_ = 0;
 }
 
-std::uint32_t RayTracedTexels::nextGeneration() {
-    generations_ = (generations_ + 1U) % (1U << TileKey::kGenerationBits);
-    return generations_;
+void RayTracedTexels::restart(CubeMapProjector& projector) {
+    Work& work = workOf(projector);
+    for (int tile = 0; tile < projector.tiles.count(); ++tile) {
+        if (projector.tiles.outdated(tile)) {
+            projector.tiles.restart(tile);
+            work.tiles.erase(tile);
+            work.details.erase(tile);
+        }
+    }
 }
 
-RayTracedTexels::Work& RayTracedTexels::workOf(CubeMapId id) {
-    const auto [found, isNew] = works_.try_emplace(id);
-    if (isNew) {
-        found->second.generation = nextGeneration();
+RayTracedTexels::Work& RayTracedTexels::workOf(const CubeMapProjector& projector) {
+    const auto [found, isNew] = works_.try_emplace(projector.id());
+    if (isNew) { // what was asked for before may be traced in an older scene
+        found->second.shown.assign(static_cast<std::size_t>(projector.tiles.count()),
+                                   {.changedIn = queue_.scene()});
     }
     return found->second;
 }
 
-void RayTracedTexels::forget(CubeMapId id) {
-    works_.erase(id);
-    askedBefore_ = 0;
+const RayTracedTexels::Shown& RayTracedTexels::shown(const CubeMapProjector& projector, int tile) {
+    return workOf(projector).shown[static_cast<std::size_t>(tile)];
 }
 
 AoStatus RayTracedTexels::complete(CubeMapProjector& projector) {
@@ -99,72 +142,126 @@ AoStatus RayTracedTexels::advance(const std::vector<CubeMapProjector*>& projecto
     }
     request(projectors);
     for (CubeMapProjector* projector : projectors) {
-        projector->shown = projector->shown || projector->tiles.fewestPasses() >= 1;
+        projector->shown = projector->shown || projector->tiles.allKnown();
     }
     return {};
 }
 
-void RayTracedTexels::request(const std::vector<CubeMapProjector*>& projectors) {
-    struct Wanted {
-        int passes; ///< that it has had
-        bool detail;
-        CubeMapProjector* projector;
-        int tile;
-    };
-    std::vector<Wanted> wanted;
-    int asked = 0;
+// ---- What is asked for --------------------------------------------------------------------------
+
+RayTracedTexels::Lists RayTracedTexels::lists(const std::vector<CubeMapProjector*>& projectors) {
+    Lists lists;
     const int most = passes();
     for (CubeMapProjector* projector : projectors) {
         const TileProgress& tiles = projector->tiles;
         for (int tile = 0; tile < tiles.count(); ++tile) {
-            asked += tiles.asked(tile) ? 1 : 0;
             if (tiles.asked(tile) && tiles.passes(tile) < most) {
-                wanted.push_back({tiles.passes(tile), false, projector, tile});
+                auto& list = tiles.passes(tile) == 0 ? lists.first : lists.refined;
+                list.push_back({projector, tile, false, tiles.passes(tile)});
             }
-            if (tiles.blocksNeeded(tile) > 0) {
-                asked += 1;
-                if (tiles.blockPasses(tile) < most) {
-                    wanted.push_back({tiles.blockPasses(tile), true, projector, tile});
-                }
+            if (tiles.blocksNeeded(tile) > 0 && tiles.blockPasses(tile) < most) {
+                lists.refined.push_back({projector, tile, true, tiles.blockPasses(tile)});
             }
         }
     }
-    // What a worker has begun would be begun again: the queue is only exchanged when it runs low or
-    // something new is asked for.
-    const bool low = queue_.pending(TracerQueue::Asker::Texels) <= queued_ / 4;
-    if (wanted.empty() || (asked == askedBefore_ && !low)) {
+    // What shows nothing yet, then what shows the oldest scene.
+    std::stable_sort(lists.first.begin(), lists.first.end(), [&](const Wanted& a, const Wanted& b) {
+        const auto rank = [&](const Wanted& w) {
+            return std::pair(w.projector->tiles.known(w.tile), shown(*w.projector, w.tile).scene);
+        };
+        return rank(a) < rank(b);
+    });
+    // Among equals, what the whole view lacks before what its edges lack.
+    std::stable_sort(lists.refined.begin(), lists.refined.end(),
+                     [](const Wanted& a, const Wanted& b) {
+                         return std::pair(a.passes, a.detail) < std::pair(b.passes, b.detail);
+                     });
+    return lists;
+}
+
+TexelRequest RayTracedTexels::requestFor(const Wanted& wanted) const {
+    const CubeMapProjector& projector = *wanted.projector;
+    const TileProgress::Region region = projector.tiles.region(wanted.tile);
+    const int scale = wanted.detail ? blocks_.scale() : 1;
+    const int before = raysAfter(wanted.passes);
+    return {.key = TileKey{number(projector), wanted.detail, wanted.tile}.packed(),
+            .centre = projector.position(),
+            .faceSize = scale * projector.tiles.faceSize(),
+            .face = region.face,
+            .x = scale * region.x,
+            .y = scale * region.y,
+            .width = scale * region.width,
+            .height = scale * region.height,
+            .firstRay = before,
+            .rays = raysAfter(wanted.passes + 1) - before,
+            .radius = radius_,
+            .falloff = context_.options.falloff,
+            .sights = {}};
+}
+
+void RayTracedTexels::request(const std::vector<CubeMapProjector*>& projectors) {
+    const Lists wanted = lists(projectors);
+    if (wanted.first.empty() && wanted.refined.empty()) {
         return;
     }
-    askedBefore_ = asked;
-    std::stable_sort(wanted.begin(), wanted.end(), [](const Wanted& a, const Wanted& b) {
-        // Among equals, what the whole view lacks before what its edges lack.
-        return std::pair(a.passes, a.detail) < std::pair(b.passes, b.detail);
-    });
-    wanted.resize(std::min(wanted.size(), kQueue));
+    const auto keyOf = [](const Wanted& w) {
+        return TileKey{number(*w.projector), w.detail, w.tile}.packed();
+    };
+    // What a worker has begun would be begun again: the queue is only exchanged when it runs low or
+    // a tile without a pass is not in it.
+    const bool low = queue_.pending(TracerQueue::Asker::Texels) <= queued_ / 4;
+    if (!low && std::ranges::all_of(wanted.first, [&](const Wanted& w) {
+            return queuedFirst_.contains(keyOf(w));
+        })) {
+        return;
+    }
+    const std::set<std::uint64_t> before = std::exchange(queuedRefined_, {});
+    queuedFirst_.clear();
     std::vector<TexelRequest> queue;
-    for (const Wanted& one : wanted) {
-        const CubeMapProjector& projector = *one.projector;
-        const TileProgress::Region region = projector.tiles.region(one.tile);
-        const int scale = one.detail ? blocks_.scale() : 1;
-        const int before = raysAfter(one.passes);
-        const TileKey key{number(projector), one.detail, one.tile,
-                          workOf(projector.id()).generation};
-        queue.push_back({.key = key.packed(),
-                         .centre = projector.position(),
-                         .faceSize = scale * projector.tiles.faceSize(),
-                         .face = region.face,
-                         .x = scale * region.x,
-                         .y = scale * region.y,
-                         .width = scale * region.width,
-                         .height = scale * region.height,
-                         .firstRay = before,
-                         .rays = raysAfter(one.passes + 1) - before,
-                         .radius = radius_,
-                         .falloff = context_.options.falloff,
-                         .sights = {}});
+    double owed = owed_;
+    auto first = wanted.first.begin();
+    auto refined = wanted.refined.begin();
+    while (queue.size() < kQueue) {
+        const bool begins = first != wanted.first.end();
+        if (!begins && refined == wanted.refined.end()) {
+            break;
+        }
+        const bool refines =
+            refined != wanted.refined.end() && (!begins || owed >= cost(requestFor(*refined)));
+        const Wanted& next = refines ? *refined++ : *first++;
+        const std::uint64_t key = keyOf(next);
+        if (refines && begins && before.contains(key)) {
+            continue; // queued before the others: perhaps begun, else its turn comes again
+        }
+        queue.push_back(requestFor(next));
+        (refines ? queuedRefined_ : queuedFirst_).insert(key);
+        if (refines) {
+            owed -= cost(queue.back());
+        } else if (next.projector->tiles.known(next.tile)) {
+            owed += kRefinedShare * cost(queue.back());
+        }
     }
     queued_ = queue.size();
     queue_.request(TracerQueue::Asker::Texels, std::move(queue));
+}
+
+void RayTracedTexels::account(const TracedTexels& traced, bool begunAgain) {
+    if (begunAgain) {
+        owed_ = std::min(owed_ + kRefinedShare * cost(traced.request), kMostOwed);
+    } else if (traced.request.firstRay > 0) {
+        owed_ = std::max(owed_ - cost(traced.request), 0.0);
+    }
+}
+
+// ---- What has come ------------------------------------------------------------------------------
+
+bool RayTracedTexels::fits(const CubeMapProjector& projector, const TracedTexels& traced,
+                           bool detail) const {
+    const TexelRequest& request = traced.request;
+    const int scale = detail ? blocks_.scale() : 1;
+    return request.centre == projector.position() &&
+           request.faceSize == scale * projector.tiles.faceSize() &&
+           request.falloff == context_.options.falloff;
 }
 
 AoStatus RayTracedTexels::takeResults(const std::vector<CubeMapProjector*>& projectors,
@@ -174,12 +271,13 @@ AoStatus RayTracedTexels::takeResults(const std::vector<CubeMapProjector*>& proj
          results = queue_.take(TracerQueue::Asker::Texels, kAtATime)) {
         for (const TracedTexels& traced : results) {
             const TileKey key = TileKey::unpacked(traced.request.key);
+            queuedRefined_.erase(traced.request.key);
             const auto found =
                 std::find_if(projectors.begin(), projectors.end(), [&](const auto* projector) {
                     return number(*projector) == key.cubeMap;
                 });
             // One that is gone, or too far away meanwhile, is asked for again when it is back.
-            if (found == projectors.end() || workOf((*found)->id()).generation != key.generation) {
+            if (found == projectors.end() || !fits(**found, traced, key.detail)) {
                 continue;
             }
             AoStatus status = key.detail ? takeDetail(**found, traced, key.tile)
@@ -211,32 +309,55 @@ bool RayTracedTexels::add(Tile& sums, const TracedTexels& traced) {
     return true;
 }
 
+bool RayTracedTexels::counts(const CubeMapProjector& projector, const TracedTexels& traced,
+                             int tile) {
+    return traced.request.radius == radius_ && traced.scene >= shown(projector, tile).changedIn;
+}
+
 AoStatus RayTracedTexels::take(CubeMapProjector& projector, const TracedTexels& traced, int tile) {
-    if (projector.tiles.passes(tile) >= passes()) {
+    spanScene(projector);
+    const int had = projector.tiles.passes(tile);
+    account(traced, had == 0 && projector.tiles.known(tile));
+    if (!counts(projector, traced, tile)) {
+        return had == 0 ? takeOutdated(projector, traced, tile) : AoStatus();
+    }
+    if (had >= passes()) {
         return {}; // traced twice: the sums of a complete tile are gone, these would begin new ones
     }
-    Work& work = workOf(projector.id());
+    Work& work = workOf(projector);
     Tile& sums = work.tiles[tile];
     if (!add(sums, traced)) {
         return {};
     }
-    if (traced.request.firstRay == 0 && isRough(traced)) {
+    if (had == 0 && isRough(traced)) {
         projector.tiles.offerBlocks(tile, 1);
     }
-    const AoStatus status = upload(projector, traced, sums);
-    projector.tiles.setPasses(tile, projector.tiles.passes(tile) + 1);
-    if (projector.tiles.passes(tile) >= passes()) {
+    const AoStatus status = upload(projector, traced, sums, tile);
+    projector.tiles.setPasses(tile, had + 1);
+    if (had + 1 >= passes()) {
         work.tiles.erase(tile);
     }
     return status;
 }
 
+AoStatus RayTracedTexels::takeOutdated(CubeMapProjector& projector, const TracedTexels& traced,
+                                       int tile) {
+    Tile alone;
+    if (traced.request.firstRay > 0 || traced.scene < shown(projector, tile).scene ||
+        !add(alone, traced)) {
+        return {};
+    }
+    const AoStatus status = upload(projector, traced, alone, tile);
+    projector.tiles.setKnown(tile);
+    return status;
+}
+
 AoStatus RayTracedTexels::takeDetail(CubeMapProjector& projector, const TracedTexels& traced,
                                      int tile) {
-    if (projector.tiles.blockPasses(tile) >= passes()) {
+    if (projector.tiles.blockPasses(tile) >= passes() || !counts(projector, traced, tile)) {
         return {}; // as above
     }
-    Work& work = workOf(projector.id());
+    Work& work = workOf(projector);
     Tile& sums = work.details[tile];
     if (!projector.keeps(traced.request.face) || !add(sums, traced)) {
         return {};
@@ -270,11 +391,8 @@ RayTracedTexels::Codes RayTracedTexels::encode(const CubeMapProjector& projector
         if (traced.distance[i] < 0.0F) {
             continue;
         }
-        const auto column = static_cast<int>(i) % request.width;
-        const auto row = static_cast<int>(i) / request.width;
-        const glm::vec2 uv = (glm::vec2(request.x + column, request.y + row) + 0.5F) /
-                             static_cast<float>(request.faceSize);
-        const float along = traced.distance[i] / glm::length(shared::faceDirection(0, uv));
+        const float along =
+            traced.distance[i] / glm::length(shared::faceDirection(0, texelAt(request, i)));
         codes.visibility[i] = static_cast<std::uint8_t>(std::lround(
             255.0F * std::clamp(tile.sum[i] / static_cast<float>(tile.rays), 0.0F, 1.0F)));
         codes.depth[i] =
@@ -284,25 +402,59 @@ RayTracedTexels::Codes RayTracedTexels::encode(const CubeMapProjector& projector
 }
 
 AoStatus RayTracedTexels::upload(CubeMapProjector& projector, const TracedTexels& traced,
-                                 const Tile& tile) {
+                                 const Tile& sums, int tile) {
     const TexelRequest& request = traced.request;
-    const bool sees = std::any_of(traced.distance.begin(), traced.distance.end(),
-                                  [](float distance) { return distance >= 0.0F; });
-    if (!sees && !projector.keeps(request.face)) {
-        return {};
+    Work& work = workOf(projector);
+    Shown& shown = work.shown[static_cast<std::size_t>(tile)];
+    shown.scene = traced.scene;
+    measure(shown, projector, traced);
+    if (request.firstRay == 0) {
+        projector.dropBlocks(store_, blocks_, tile); // of an older scene
+        work.details.erase(tile);
     }
-    if (!workOf(projector.id()).spans) {
-        const DistanceRange range = distanceRange(context_.scene, projector.position());
-        projector.spanDistances(store_, range.nearest, range.farthest);
-        workOf(projector.id()).spans = true;
+    if (shown.surfaces.empty() && !projector.keeps(request.face)) {
+        return {};
     }
     if (AoStatus status = projector.keepFace(store_, request.face); !status) {
         return status;
     }
-    const Codes codes = encode(projector, traced, tile);
+    const Codes codes = encode(projector, traced, sums);
     store_.upload(projector.layer(request.face), {request.x, request.y},
                   {request.width, request.height}, codes.visibility, codes.depth);
     return {};
+}
+
+void RayTracedTexels::measure(Shown& shown, const CubeMapProjector& projector,
+                              const TracedTexels& traced) {
+    const TexelRequest& request = traced.request;
+    shown.surfaces = {};
+    shown.farthest = 0.0F;
+    float reach = 0.0F;
+    for (std::size_t i = 0; i < traced.distance.size(); ++i) {
+        if (traced.distance[i] < 0.0F) {
+            shown.farthest = kInfinite;
+            continue;
+        }
+        const glm::vec3 direction = shared::faceDirection(request.face, texelAt(request, i));
+        shown.surfaces.include(projector.position() +
+                               traced.distance[i] * glm::normalize(direction));
+        reach = std::max(reach, traced.distance[i]);
+    }
+    shown.farthest = std::max(shown.farthest, reach);
+    shown.surfaces = shown.surfaces.inflated(2.0F * kBetweenTexels * reach /
+                                             static_cast<float>(request.faceSize));
+}
+
+void RayTracedTexels::spanScene(CubeMapProjector& projector) {
+    Work& work = workOf(projector);
+    if (std::exchange(work.spans, true)) {
+        return;
+    }
+    const DistanceRange range = distanceRange(context_.scene, projector.position());
+    if (projector.spanDistances(store_, blocks_, range.nearest, range.farthest)) {
+        work.tiles.clear();
+        work.details.clear();
+    }
 }
 
 } // namespace aolib

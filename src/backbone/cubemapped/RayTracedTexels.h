@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <map>
+#include <set>
 #include <vector>
 
 #include "backbone/cubemapped/AbstractTexelSource.h"
@@ -11,14 +13,17 @@ namespace aolib {
 
 /// Texels by ray tracing: a tracer works on tiles in the background, and what it has finished is
 /// uploaded. Each pass continues the rays of a tile; the GPU does nothing but take the results.
+///
+/// When the scene changes, only tiles that the change can have altered begin again. Results name
+/// the scene that they were traced in: one of an older scene is shown until a newer one comes, but
+/// no rays are added to it. So a tile that changes in every frame shows the latest that is known of
+/// it, and the others go on.
 class RayTracedTexels final : public AbstractTexelSource {
 public:
     RayTracedTexels(const BackboneContext& context, FaceStore& store, BlockStore& details,
                     TracerQueue& queue)
         : context_(context), store_(store), blocks_(details), queue_(queue) {}
 
-    /// What was queued is lost: the tracer has another scene.
-    void sceneChanged();
     /// The reach of occluders from now on, world units.
     void setRadius(float radius) { radius_ = radius; }
 
@@ -27,7 +32,10 @@ public:
     AoStatus advance(const std::vector<CubeMapProjector*>& projectors,
                      double milliseconds) override;
     bool lacks(const CubeMapProjector& projector) const override;
-    void forget(CubeMapId id) override;
+    void sceneChanged(CubeMapProjector& projector, const Scene::Change& change,
+                      float reach) override;
+    void restart(CubeMapProjector& projector) override;
+    void forget(CubeMapId id) override { works_.erase(id); }
 
 private:
     /// What has been traced of a tile, until it is complete.
@@ -35,22 +43,53 @@ private:
         std::vector<float> sum; ///< per texel: W times rays
         int rays = 0;
     };
+    static constexpr float kInfinite = std::numeric_limits<float>::infinity();
+    static Bounds everywhere() { return {glm::vec3(-kInfinite), glm::vec3(kInfinite)}; }
+    /// What a tile shows, and since when that is out of date. Scenes by their numbers.
+    struct Shown {
+        std::uint64_t scene = 0;        ///< that was traced
+        std::uint64_t changedIn = 0;    ///< results of scenes before are out of date
+        Bounds surfaces = everywhere(); ///< that its texels see, world units
+        float farthest = kInfinite;     ///< distance of one of them; infinite where one sees none
+    };
     struct Work {
         std::map<int, Tile> tiles;
         std::map<int, Tile> details;
-        std::uint32_t generation = 0; ///< results of another are out of date
-        bool spans = false;           ///< the projector's code spans the scene as it is
+        std::vector<Shown> shown; ///< by tile
+        bool spans = false;       ///< the projector's code spans the scene as it is
+    };
+    /// A tile, or its detail, that lacks a pass.
+    struct Wanted {
+        CubeMapProjector* projector;
+        int tile;
+        bool detail;
+        int passes; ///< that it has had
+    };
+    /// Tiles without a pass that counts, and tiles that have one: to be refined.
+    struct Lists {
+        std::vector<Wanted> first;
+        std::vector<Wanted> refined;
     };
 
     /// Rays per texel after a number of passes.
     int raysAfter(int passes) const;
-    std::uint32_t nextGeneration();
-    Work& workOf(CubeMapId id);
+    Work& workOf(const CubeMapProjector& projector);
+    const Shown& shown(const CubeMapProjector& projector, int tile);
     /// Asks for the next pass of every tile that lacks one, the poorest first.
     void request(const std::vector<CubeMapProjector*>& projectors);
+    Lists lists(const std::vector<CubeMapProjector*>& projectors);
+    TexelRequest requestFor(const Wanted& wanted) const;
+    /// Whether a result is of this cube map, and of the options as they are but for the scene.
+    bool fits(const CubeMapProjector& projector, const TracedTexels& traced, bool detail) const;
+    /// Whether a result belongs to the scene and the radius as they are for a tile.
+    bool counts(const CubeMapProjector& projector, const TracedTexels& traced, int tile);
+    /// Keeps the balance between tiles that begin again and those that are refined.
+    void account(const TracedTexels& traced, bool begunAgain);
     /// Takes what is finished until the time is up.
     AoStatus takeResults(const std::vector<CubeMapProjector*>& projectors, double milliseconds);
     AoStatus take(CubeMapProjector& projector, const TracedTexels& traced, int tile);
+    /// Shows a result that is out of date, where it is newer than what is shown.
+    AoStatus takeOutdated(CubeMapProjector& projector, const TracedTexels& traced, int tile);
     AoStatus takeDetail(CubeMapProjector& projector, const TracedTexels& traced, int tile);
     /// Adds a pass. @return false when it has been traced before.
     static bool add(Tile& sums, const TracedTexels& traced);
@@ -61,7 +100,11 @@ private:
     };
     static Codes encode(const CubeMapProjector& projector, const TracedTexels& traced,
                         const Tile& tile);
-    AoStatus upload(CubeMapProjector& projector, const TracedTexels& traced, const Tile& tile);
+    AoStatus upload(CubeMapProjector& projector, const TracedTexels& traced, const Tile& sums,
+                    int tile);
+    void spanScene(CubeMapProjector& projector);
+    static void measure(Shown& shown, const CubeMapProjector& projector,
+                        const TracedTexels& traced);
 
     const BackboneContext context_;
     FaceStore& store_;
@@ -69,9 +112,10 @@ private:
     TracerQueue& queue_;
     float radius_ = 1.0F;
     std::map<CubeMapId, Work> works_;
-    std::uint32_t generations_ = 0;
-    int askedBefore_ = 0; ///< tiles that were asked for when the queue was last filled
+    std::set<std::uint64_t> queuedFirst_;   ///< keys of tiles without a pass, as last queued
+    std::set<std::uint64_t> queuedRefined_; ///< and of the others
     std::size_t queued_ = 0;
+    double owed_ = 0.0; ///< rays that tiles which begin again took from those to be refined
 };
 
 } // namespace aolib

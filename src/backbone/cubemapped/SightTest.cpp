@@ -44,7 +44,7 @@ bool SightTest::sees(const BackboneContext& context, const CubeMapProjector& pro
     if (region.empty()) {
         return false;
     }
-    const float nearest = glm::distance(centre, glm::clamp(centre, region.min, region.max));
+    const float nearest = region.nearest(centre);
     // Inside the region, or while an occlusion query of the host's runs: no need, or no way, to
     // ask.
     if (nearest <= 0.0F || store.empty() || hostCountsSamples(gl)) {
@@ -58,8 +58,7 @@ bool SightTest::sees(const BackboneContext& context, const CubeMapProjector& pro
     if (!target || !query) {
         return true;
     }
-    const float farthest =
-        glm::length(glm::max(glm::abs(region.min - centre), glm::abs(region.max - centre)));
+    const float farthest = region.farthest(centre);
     const float near = 0.5F * nearest; // below nearest / sqrt(3), so that no face clips it
     const float far = 2.0F * farthest;
     target->begin(0);

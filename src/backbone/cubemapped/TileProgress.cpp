@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include <glm/common.hpp>
+
 namespace aolib {
 
 namespace {
@@ -30,6 +32,22 @@ int TileProgress::along(float texel) const {
 
 int TileProgress::tileAt(int face, const glm::vec2& at) const {
     return (face * perEdge_ + along(at.y)) * perEdge_ + along(at.x);
+}
+
+std::vector<int> TileProgress::within(int face, const glm::vec2& low, const glm::vec2& high) const {
+    const auto size = static_cast<float>(faceSize_);
+    std::vector<int> found;
+    if (low.x > size || low.y > size || high.x < 0.0F || high.y < 0.0F) {
+        return found;
+    }
+    const int first = tileAt(face, glm::max(low, 0.0F));
+    const int last = tileAt(face, glm::min(high, size));
+    for (int row = first / perEdge_; row <= last / perEdge_; ++row) {
+        for (int column = first % perEdge_; column <= last % perEdge_; ++column) {
+            found.push_back(row * perEdge_ + column);
+        }
+    }
+    return found;
 }
 
 void TileProgress::ask(int face, const glm::vec2& at, int perBlock) {
@@ -89,11 +107,24 @@ void TileProgress::askAll() {
 }
 
 void TileProgress::setPasses(int tile, int passes) {
+    tiles_[static_cast<std::size_t>(tile)].passes = static_cast<std::uint16_t>(passes);
+    if (passes > 0) {
+        setKnown(tile);
+    }
+}
+
+void TileProgress::setKnown(int tile) {
     Tile& of = tiles_[static_cast<std::size_t>(tile)];
-    if (of.passes == 0) {
+    if (!of.known) {
         of.begunIn = frame_;
     }
-    of.passes = static_cast<std::uint16_t>(passes);
+    of.known = true;
+}
+
+bool TileProgress::allKnown() const {
+    const auto asked = [](const Tile& tile) { return tile.asked; };
+    return std::ranges::any_of(tiles_, asked) &&
+           std::ranges::none_of(tiles_, [](const Tile& tile) { return tile.asked && !tile.known; });
 }
 
 int TileProgress::fewestPasses() const {
@@ -111,6 +142,12 @@ bool TileProgress::lacks(int passes) const {
     return fewest >= 0 && fewest < passes;
 }
 
+bool TileProgress::lacksUndisturbed(int passes) const {
+    return std::ranges::any_of(tiles_, [&](const Tile& tile) {
+        return tile.asked && !tile.disturbed && tile.passes < passes;
+    });
+}
+
 std::vector<int> TileProgress::mostUrgent(int most) const {
     const int fewest = fewestPasses();
     std::vector<int> urgent;
@@ -122,12 +159,26 @@ std::vector<int> TileProgress::mostUrgent(int most) const {
     return urgent;
 }
 
-void TileProgress::restart() {
+void TileProgress::setAllOutdated() {
     for (Tile& tile : tiles_) {
-        tile.passes = 0;
-        tile.offered = 0;
-        tile.refused = false;
-        tile.blockPasses = 0;
+        tile.outdated = true;
+    }
+}
+
+void TileProgress::restart(int tile) {
+    Tile& of = tiles_[static_cast<std::size_t>(tile)];
+    of.outdated = false;
+    of.disturbed = of.known;
+    of.passes = 0;
+    of.offered = 0;
+    of.refused = false;
+    of.blockPasses = 0;
+}
+
+void TileProgress::forget() {
+    for (int tile = 0; tile < count(); ++tile) {
+        tiles_[static_cast<std::size_t>(tile)].known = false;
+        restart(tile);
     }
 }
 

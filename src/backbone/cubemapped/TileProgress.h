@@ -40,21 +40,30 @@ public:
     void askAll();
     /// The tile that a point of a face lies in. @param at  texels
     int tileAt(int face, const glm::vec2& at) const;
+    /// The tiles of a face that a rectangle meets. @param low, high  its corners, texels
+    std::vector<int> within(int face, const glm::vec2& low, const glm::vec2& high) const;
     bool asked(int tile) const { return tiles_[static_cast<std::size_t>(tile)].asked; }
 
     int passes(int tile) const { return tiles_[static_cast<std::size_t>(tile)].passes; }
     void setPasses(int tile, int passes);
     /// The frame in which passes are set from now on.
     void setFrame(std::uint64_t frame) { frame_ = frame; }
-    /// Whether a tile had its first pass before a frame.
+    /// Whether a tile has been known since before a frame.
     bool begunBefore(int tile, std::uint64_t frame) const {
         const Tile& of = tiles_[static_cast<std::size_t>(tile)];
-        return of.passes > 0 && of.begunIn < frame;
+        return of.known && of.begunIn < frame;
     }
+    /// Whether texels of a tile were written since it last lost all of them: it can be shown.
+    bool known(int tile) const { return tiles_[static_cast<std::size_t>(tile)].known; }
+    void setKnown(int tile);
+    /// Whether some tile is asked for, and all of those are known.
+    bool allKnown() const;
     /// Fewest passes of any tile that is asked for; -1 when none is.
     int fewestPasses() const;
     /// Whether some tile that is asked for has had fewer passes than this.
     bool lacks(int passes) const;
+    /// The same of tiles that no change of the scene has made begin again.
+    bool lacksUndisturbed(int passes) const;
     /// The tiles that are asked for and have had the fewest passes, below `most`.
     std::vector<int> mostUrgent(int most) const;
     // ---- Blocks: what a tile keeps beside its texels (BlockStore) where a view asks for it.
@@ -87,18 +96,29 @@ public:
     };
     Share share(int passes, int blockWeight) const;
 
-    /// Nothing is computed any more; what was asked for stays.
-    void restart();
+    // ---- Changes of the scene: what a tile shows stays until it is replaced.
+
+    /// The scene has changed for a tile: its passes are to begin again.
+    void setOutdated(int tile) { tiles_[static_cast<std::size_t>(tile)].outdated = true; }
+    bool outdated(int tile) const { return tiles_[static_cast<std::size_t>(tile)].outdated; }
+    void setAllOutdated();
+    /// No passes of a tile count any more; what was asked for, and what is known, stay.
+    void restart(int tile);
+    /// Nothing is known any more; what was asked for stays.
+    void forget();
 
 private:
     struct Tile {
         bool asked = false;
         bool refused = false;
+        bool known = false;
+        bool outdated = false;
+        bool disturbed = false; ///< it began again while it was known
         std::uint8_t blocksAsked = 0;
         std::uint8_t offered = 0;
         std::uint16_t passes = 0;
         std::uint16_t blockPasses = 0;
-        std::uint64_t begunIn = 0; ///< frame of the first pass
+        std::uint64_t begunIn = 0; ///< frame since which it is known
         int blocksNeeded() const { return refused ? 0 : std::min(blocksAsked, offered); }
     };
     /// Tiles before the one that a texel of an edge lies in.

@@ -31,8 +31,7 @@ void TracerQueue::setScene(const Scene& scene) {
             indices.push_back(first + index);
         }
     }
-    tracer_.setScene(std::move(positions), std::move(indices));
-    finished_ = {};
+    scene_ = tracer_.setScene(std::move(positions), std::move(indices));
 }
 
 void TracerQueue::request(Asker asker, std::vector<TexelRequest> queue) {

@@ -23,8 +23,10 @@ public:
 
     explicit TracerQueue(AbstractTexelTracer& tracer) : tracer_(tracer) {}
 
-    /// Gives the tracer the scene as it is now; all that was queued is lost.
+    /// Gives the tracer the scene as it is now.
     void setScene(const Scene& scene);
+    /// The number of the latest scene, as results name it.
+    std::uint64_t scene() const { return scene_; }
     /// Replaces the queue. A request's key must leave the highest bit free.
     void request(Asker asker, std::vector<TexelRequest> queue);
     /// Takes back what this asker has queued.
@@ -38,6 +40,7 @@ public:
 
 private:
     AbstractTexelTracer& tracer_;
+    std::uint64_t scene_ = 0;
     Asker latest_ = Asker::Texels;
     std::array<std::deque<TracedTexels>, 2> finished_; ///< by asker
 };

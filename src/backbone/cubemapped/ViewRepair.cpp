@@ -1,6 +1,46 @@
 #include "backbone/cubemapped/ViewRepair.h"
 
+#include <cmath>
+#include <utility>
+
+#include <glm/common.hpp>
+#include <glm/vec4.hpp>
+
 namespace aolib {
+
+namespace {
+
+struct Rectangle {
+    glm::ivec2 low;  ///< pixels
+    glm::ivec2 high; ///< one beyond the last
+};
+
+/// Pixels that may show something of a box: all of them where a part of it lies beside the eye or
+/// behind.
+Rectangle pixelsOf(const Bounds& box, const HostCamera& camera, const glm::ivec2& size, bool flip) {
+    glm::dvec2 low(1.0);
+    glm::dvec2 high(-1.0);
+    for (unsigned corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 eye =
+            (glm::dvec3(box.corner(corner)) - camera.eye()) * camera.eyeToWorld();
+        const glm::dvec4 clip = camera.projection() * glm::dvec4(eye, 1.0);
+        const glm::dvec2 at = glm::dvec2(clip) / clip.w;
+        if (!(clip.w > 0.0) || !std::isfinite(at.x) || !std::isfinite(at.y)) {
+            return {glm::ivec2(0), size};
+        }
+        low = glm::min(low, at);
+        high = glm::max(high, at);
+    }
+    if (flip) {
+        low.y = -std::exchange(high.y, -low.y);
+    }
+    const auto toPixel = [&](const glm::dvec2& at) {
+        return (glm::clamp(at, -1.0, 1.0) * 0.5 + 0.5) * glm::dvec2(size);
+    };
+    return {glm::ivec2(glm::floor(toPixel(low))), glm::ivec2(glm::ceil(toPixel(high)))};
+}
+
+} // namespace
 
 void ViewRepair::follow(const Frame& frame, AbstractPixelSource* source) {
     const View view{frame.camera, frame.size, frame.clip};
@@ -21,6 +61,19 @@ void ViewRepair::dropSource() {
 
 void ViewRepair::restart() {
     found_.drop();
+    if (source_ != nullptr) {
+        source_->restart();
+    }
+}
+
+void ViewRepair::sceneChanged(const std::vector<Scene::Change>& changes, float reach) {
+    for (const Scene::Change& change : changes) {
+        if (view_ && !change.region.empty()) {
+            const Rectangle pixels = pixelsOf(change.region.inflated(reach), view_->camera,
+                                              view_->size, view_->clip.upperLeft);
+            found_.drop(pixels.low, pixels.high - pixels.low);
+        }
+    }
     if (source_ != nullptr) {
         source_->restart();
     }

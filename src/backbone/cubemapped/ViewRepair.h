@@ -3,8 +3,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "backbone/cubemapped/AbstractPixelSource.h"
+#include "scene/Scene.h"
 
 namespace aolib {
 
@@ -18,8 +20,11 @@ public:
     void follow(const Frame& frame, AbstractPixelSource* source);
     /// The source is about to go.
     void dropSource();
-    /// Forgets everything: the scene has changed, or what is asked about it.
+    /// Forgets everything: what is asked about the scene has changed.
     void restart();
+    /// The scene has changed: forgets the pixels that may show it, and looks again.
+    /// @param reach  of occluders, world units; may be infinite
+    void sceneChanged(const std::vector<Scene::Change>& changes, float reach);
     /// The cube maps have changed: looks again. What was found stays shown.
     void lookAgain();
 

@@ -1,6 +1,7 @@
 #include <aolib/RayTracing.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <map>
 #include <thread>
@@ -24,8 +25,8 @@ std::unique_ptr<AbstractTexelTracer> tracerOf(int threads) {
     return std::move(*tracer);
 }
 
-void setScene(AbstractTexelTracer& tracer, const TriangleMesh& mesh) {
-    tracer.setScene(mesh.positions, mesh.indices);
+std::uint64_t setScene(AbstractTexelTracer& tracer, const TriangleMesh& mesh) {
+    return tracer.setScene(mesh.positions, mesh.indices);
 }
 
 /// Tile number `key` of a cube map of 32 x 32 texels, 16 tiles a face.
@@ -168,44 +169,87 @@ TEST(TexelTracer, EndsInTheMiddleOfItsWork) {
     EXPECT_FALSE(tracer->wait(20.0));
 }
 
-TEST(TexelTracer, ANewSceneDropsAllThatTheOldOneLeft) {
+using ScenesByNumber = std::map<std::uint64_t, const RayScene*>;
+
+void expectItsScene(const TracedTexels& texels, const ScenesByNumber& scenes) {
+    const auto found = scenes.find(texels.scene);
+    ASSERT_NE(found, scenes.end()) << texels.scene;
+    EXPECT_EQ(texels.visibility,
+              traceRequest(*found->second, texels.request, [] { return true; })->visibility);
+}
+
+TEST(TexelTracer, ANewSceneLeavesRequestsAndResults) {
     const auto tracer = tracerOf(2);
-    setScene(*tracer, test::floorAndWall(2.0));
+    const RayScene floor = test::sceneOf(test::floorAndWall(2.0));
+    const RayScene box = test::sceneOf(test::box());
+    const std::uint64_t first = setScene(*tracer, test::floorAndWall(2.0));
     tracer->request(tiles(0, 40));
     ASSERT_TRUE(tracer->wait(longTime));
-    std::vector<TexelRequest> queue = {tile(50, endlessRays), tile(51, endlessRays)};
-    tracer->request(queue);
-    EXPECT_TRUE(tracer->wait(longTime)) << "results of before are still there";
-    setScene(*tracer, test::box());
-    EXPECT_EQ(tracer->pending(), 0U);
-    EXPECT_TRUE(tracer->wait(longTime));
-    EXPECT_TRUE(tracer->take(100).empty());
-    TexelRequest request = tile(3, 64);
-    request.centre = {0.0F, 0.0F, 0.0F};
-    request.falloff = Falloff::Off;
-    tracer->request({request});
+    const std::uint64_t second = setScene(*tracer, test::box());
+    const ScenesByNumber scenes{{first, &floor}, {second, &box}};
+    EXPECT_GT(second, first);
+    EXPECT_EQ(tracer->pending(), 40U);
     const std::vector<TracedTexels> all = takeAll(*tracer);
-    ASSERT_EQ(all.size(), 1U);
-    EXPECT_EQ(*std::ranges::max_element(all[0].visibility), 0.0F);
+    EXPECT_EQ(all.size(), 40U);
+    EXPECT_EQ(all.front().scene, first);
+    std::uint64_t latest = 0;
+    for (const TracedTexels& texels : all) {
+        expectItsScene(texels, scenes);
+        latest = texels.scene;
+    }
+    while (latest != second) { // the last one is there as soon as there is nothing to trace
+        tracer->request({tile(3)});
+        latest = takeAll(*tracer).back().scene;
+    }
 }
 
 TEST(TexelTracer, ScenesMayChangeAtAnyTime) {
     const auto tracer = tracerOf(3);
-    for (int i = 0; i < 40; ++i) {
-        setScene(*tracer, i % 2 == 0 ? test::sphere(5.0) : test::floorAndWall(2.0));
+    const std::array meshes{test::sphere(5.0), test::floorAndWall(2.0)};
+    const std::array traceable{test::sceneOf(meshes[0]), test::sceneOf(meshes[1])};
+    ScenesByNumber scenes;
+    std::vector<TracedTexels> all;
+    const auto take = [&] {
+        for (TracedTexels& texels : tracer->take(100)) {
+            all.push_back(std::move(texels));
+        }
+    };
+    for (std::size_t i = 0; i < 40; ++i) {
+        scenes[setScene(*tracer, meshes[i % 2])] = &traceable[i % 2];
         tracer->request(tiles(0, 30));
         if (i % 3 == 0) {
             tracer->wait(0.5);
+            take();
         }
     }
-    const TriangleMesh mesh = test::floorAndWall(2.0);
-    const RayScene scene = test::sceneOf(mesh);
-    const std::vector<TracedTexels> all = takeAll(*tracer);
-    EXPECT_EQ(all.size(), 30U);
-    for (const TracedTexels& texels : all) {
-        EXPECT_EQ(texels.visibility,
-                  traceRequest(scene, texels.request, [] { return true; })->visibility);
+    for (TracedTexels& texels : takeAll(*tracer)) {
+        all.push_back(std::move(texels));
     }
+    EXPECT_GE(all.size(), 30U);
+    for (const TracedTexels& texels : all) {
+        expectItsScene(texels, scenes);
+    }
+}
+
+/// A scene in every millisecond, each of which takes longer to build.
+TEST(TexelTracer, ScenesThatComeFasterThanTheyAreBuiltKeepNothingFromBeingTraced) {
+    const auto tracer = tracerOf(1);
+    const TriangleMesh mesh = test::sphere(5.0);
+    std::uint64_t newest = setScene(*tracer, mesh);
+    std::uint64_t traced = 0;
+    std::size_t results = 0;
+    for (int i = 0; i < 20000 && (results < 100 || traced < 3); ++i) {
+        tracer->request(tiles(0, 30));
+        tracer->wait(1.0);
+        for (const TracedTexels& texels : tracer->take(100)) {
+            ++results;
+            traced = texels.scene;
+        }
+        newest = setScene(*tracer, mesh);
+    }
+    EXPECT_GE(results, 100U);
+    EXPECT_GE(traced, 3U) << "nor are they left out for ever";
+    EXPECT_LT(traced, newest);
 }
 
 TEST(TexelTracer, MayBeAskedFromManyThreads) {

@@ -52,7 +52,7 @@ TEST(TileProgressTest, ThePoorestComeFirst) {
     EXPECT_TRUE(tiles.lacks(2));
     EXPECT_FALSE(tiles.lacks(1));
     EXPECT_TRUE(tiles.mostUrgent(1).empty());
-    tiles.restart();
+    tiles.forget();
     EXPECT_EQ(tiles.fewestPasses(), 0);
     EXPECT_TRUE(tiles.asked(0)) << "what was asked for stays";
 }
@@ -84,7 +84,7 @@ TEST(TileProgressTest, BlocksAreAskedForOneAfterTheOther) {
     EXPECT_EQ(tiles.blocksNeeded(0), 0);
     tiles.allowBlocks();
     EXPECT_EQ(tiles.blocksNeeded(0), 2);
-    tiles.restart();
+    tiles.forget();
     EXPECT_EQ(tiles.blocksNeeded(0), 0) << "what there is to offer is not known yet";
 }
 
@@ -101,7 +101,7 @@ TEST(TileProgressTest, KnowsSinceWhichFrameATileHasBeenBegun) {
     tiles.setPasses(tile, 2);
     EXPECT_FALSE(tiles.begunBefore(tile, 7));
     EXPECT_TRUE(tiles.begunBefore(tile, 8));
-    tiles.restart();
+    tiles.forget();
     EXPECT_FALSE(tiles.begunBefore(tile, 100));
 }
 

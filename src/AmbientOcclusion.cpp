@@ -237,7 +237,7 @@ AoStatus AmbientOcclusion::aoDrawBegin() {
     return {};
 }
 
-AoStatus AmbientOcclusion::aoDrawEnd(float x, float y, float z) {
+AoStatus AmbientOcclusion::aoDrawEnd(float x, float y, float z, ViewId id) {
     if (AoStatus status = impl_->allowed(); !status) {
         return impl_->report(std::move(status));
     }
@@ -246,10 +246,29 @@ AoStatus AmbientOcclusion::aoDrawEnd(float x, float y, float z) {
                               "aoDrawEnd: no frame was begun; call aoDrawBegin before drawing"});
     }
     impl_->drawing = false;
-    return impl_->report(impl_->drawEnd({x, y, z}));
+    return impl_->report(impl_->drawEnd({x, y, z}, id));
 }
 
-AoStatus AmbientOcclusion::Impl::drawEnd(const glm::vec3& position) {
+AoStatus AmbientOcclusion::aoShade(const glm::mat4& view, const glm::mat4& projection, ViewId id) {
+    AoStatus status = aoSetCamera(view, projection);
+    if (status) {
+        status = aoDrawBegin();
+    }
+    if (!status) {
+        return status;
+    }
+    const glm::vec3 eye = impl_->view.eye();
+    return aoDrawEnd(eye.x, eye.y, eye.z, id);
+}
+
+AoStatus AmbientOcclusion::removeView(ViewId id) {
+    return impl_->report(impl_->guarded([&](AbstractBackbone& to) {
+        to.removeView(id);
+        return AoStatus();
+    }));
+}
+
+AoStatus AmbientOcclusion::Impl::drawEnd(const glm::vec3& position, ViewId id) {
     Result<Frame> frame = view.frameFrom(gl, position);
     if (!frame) {
         return frame.status();
@@ -258,12 +277,13 @@ AoStatus AmbientOcclusion::Impl::drawEnd(const glm::vec3& position) {
     if (AoStatus status = HostView::takeTarget(guard, *frame); !status) {
         return status;
     }
+    frame->view = id;
     followChoice();
     return backbone->drawEnd(*frame);
 }
 
 Result<TextureName> AmbientOcclusion::aoApply(const HostTextures& textures,
-                                              const glm::vec3& position) {
+                                              const glm::vec3& position, ViewId id) {
     if (AoStatus status = impl_->allowed(); !status) {
         return impl_->report(std::move(status));
     }
@@ -274,6 +294,7 @@ Result<TextureName> AmbientOcclusion::aoApply(const HostTextures& textures,
     const auto apply = [&]() -> Result<TextureName> {
         const gl::StateGuard guard(impl_->gl);
         frame->srgb = guard.hostSrgb();
+        frame->view = id;
         impl_->followChoice();
         return impl_->backbone->apply(*frame, textures);
     };
@@ -286,6 +307,17 @@ Statistics AmbientOcclusion::statistics() const {
     Statistics statistics = impl_->backbone->statistics();
     statistics.estimator = impl_->inForce.estimator;
     return statistics;
+}
+
+Statistics AmbientOcclusion::statistics(ViewId id) const {
+    Statistics statistics = impl_->backbone->statistics(id);
+    statistics.estimator = impl_->inForce.estimator;
+    return statistics;
+}
+
+Result<VisibilityImage> AmbientOcclusion::readVisibility(ViewId id) {
+    return impl_->report(
+        impl_->guarded([&](AbstractBackbone& to) { return to.readVisibility(id); }));
 }
 
 Result<VisibilityImage> AmbientOcclusion::readVisibility() {

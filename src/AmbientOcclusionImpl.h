@@ -78,7 +78,7 @@ struct AmbientOcclusion::Impl {
         return call(*backbone);
     }
 
-    AoStatus drawEnd(const glm::vec3& position);
+    AoStatus drawEnd(const glm::vec3& position, ViewId id);
 };
 
 } // namespace aolib

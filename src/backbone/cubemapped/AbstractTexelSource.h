@@ -31,6 +31,8 @@ public:
     virtual bool lacks(const CubeMapProjector& projector) const {
         return projector.tiles.lacks(passes());
     }
+    /// Whether texels of complete tiles stay as they are, though others are still computed.
+    virtual bool keeps(const CubeMapProjector& /*projector*/) const { return true; }
     /// Whether it is about to look at the scene, over several frames.
     virtual bool capturing(CubeMapId /*id*/) const { return false; }
     /// Forgets what it holds for a cube map that is gone or has to begin again.

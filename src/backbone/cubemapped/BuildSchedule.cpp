@@ -4,8 +4,6 @@
 #include <chrono>
 
 #include "backbone/Estimators.h"
-#include "backbone/cubemapped/LayeredPixels.h"
-#include "backbone/cubemapped/TracedPixels.h"
 
 namespace aolib {
 
@@ -57,27 +55,11 @@ AoStatus BuildSchedule::chooseTexels() {
 }
 
 AoStatus BuildSchedule::choosePixels() {
-    pixels_ = nullptr;
-    const bool traced = tracesPixels();
-    const bool layered = context_.options.estimator == Estimator::LayeredIntervals &&
-                         !context_.scene.meshes().empty() && !context_.renderer;
-    if (!context_.options.cubeMaps.repair || !(traced || layered)) {
-        return {};
-    }
-    std::unique_ptr<AbstractPixelSource>& wanted = traced ? tracedPixels_ : layeredPixels_;
-    if (traced) {
+    const PixelSources::Kind kind = pixelSources_.wanted();
+    if (kind == PixelSources::Kind::Traced) {
         askTracer();
     }
-    if (!wanted) {
-        auto made = traced ? TracedPixels::create(context_, *tracerQueue_)
-                           : LayeredPixels::create(context_, geometry_, raster_->shading());
-        if (!made) {
-            return made.status();
-        }
-        wanted = std::move(*made);
-    }
-    pixels_ = wanted.get();
-    return {};
+    return pixelSources_.choose(kind);
 }
 
 void BuildSchedule::askTracer() {
@@ -85,13 +67,6 @@ void BuildSchedule::askTracer() {
         tracerQueue_ = std::make_unique<TracerQueue>(*context_.tracer);
         tracerQueue_->setScene(context_.scene);
     }
-}
-
-bool BuildSchedule::tracesPixels() const {
-    const Options& options = context_.options;
-    const bool layered = options.estimator == Estimator::LayeredIntervals;
-    return context_.tracer && !context_.scene.meshes().empty() && !context_.renderer &&
-           (options.estimator == Estimator::RayTraced || (layered && raysTell(context_.scene)));
 }
 
 void BuildSchedule::sceneChanged() {
@@ -111,9 +86,8 @@ void BuildSchedule::changedBehind(const CubeMapProjector& projector, const Bound
 
 void BuildSchedule::dropTracer() {
     source_ = nullptr;
-    pixels_ = nullptr;
+    pixelSources_.dropTracer();
     traced_.reset();
-    tracedPixels_.reset();
     tracerQueue_.reset();
 }
 
@@ -187,9 +161,13 @@ void BuildSchedule::bringIn(CubeMapProjector& projector) const {
     }
 }
 
-bool BuildSchedule::finished(const CubeMapProjector& projector) const {
+bool BuildSchedule::finished(const CubeMapProjector& projector, const AskedTiles& asked) const {
     // One that no survey has looked at yet has not begun.
-    return projector.shown && projector.bias >= 0.0F && !source_->lacks(projector);
+    if (!projector.shown || projector.bias < 0.0F) {
+        return false;
+    }
+    return !source_->lacks(projector) ||
+           (source_->keeps(projector) && !projector.tiles.lacksAny(asked, passes_));
 }
 
 } // namespace aolib

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "backbone/SceneGeometry.h"
-#include "backbone/cubemapped/AbstractPixelSource.h"
+#include "backbone/cubemapped/PixelSources.h"
 #include "backbone/cubemapped/RasterTexels.h"
 #include "backbone/cubemapped/RayTracedTexels.h"
 
@@ -19,7 +19,7 @@ public:
     BuildSchedule(const BackboneContext& context, const SceneGeometry& geometry, FaceStore& store,
                   BlockStore& blocks, std::function<float()> radius)
         : context_(context), geometry_(geometry), store_(store), blocks_(blocks),
-          radius_(std::move(radius)) {}
+          radius_(std::move(radius)), pixelSources_(context, geometry) {}
 
     /// Makes the sources that the options' estimator takes its texels and pixels from.
     /// Errors: ShaderError, OutOfMemory, MissingCapability.
@@ -30,8 +30,13 @@ public:
     void changedBehind(const CubeMapProjector& projector, const Bounds& region);
     /// The tracer is about to be exchanged.
     void dropTracer();
-    /// What computes the pixels of views at rest; null where texels have to do.
-    AbstractPixelSource* pixels() const { return pixels_; }
+    /// What kind of source computes the pixels of views at rest.
+    PixelSources::Kind pixels() const { return pixelSources_.kind(); }
+    /// One of them. @param slot  of the view.
+    std::unique_ptr<AbstractPixelSource> makePixels(unsigned slot) {
+        return pixelSources_.make(tracerQueue_.get(), raster_ ? &raster_->shading() : nullptr,
+                                  slot);
+    }
     /// Drops what is held for a cube map on its way.
     void forget(CubeMapId id);
     /// Whether a cube map is about to look at the scene, over several frames.
@@ -42,8 +47,8 @@ public:
     /// allows. Lets those that are complete come in over a few frames.
     /// Errors: as chooseSource(), and those of the source.
     AoStatus compute(const std::vector<CubeMapProjector*>& projectors);
-    /// Whether nothing is left to do for a cube map.
-    bool finished(const CubeMapProjector& projector) const;
+    /// Whether nothing is left to do for a cube map, as far as one view has asked for it.
+    bool finished(const CubeMapProjector& projector, const AskedTiles& asked) const;
     /// Passes that a tile needs.
     int passes() const { return passes_; }
     void beginFrame() { begun_ = 0; }
@@ -56,7 +61,6 @@ private:
     AoStatus chooseTexels();
     AoStatus choosePixels();
     void askTracer();
-    bool tracesPixels() const;
     void begin(CubeMapProjector& projector);
     AoStatus advance(const std::vector<CubeMapProjector*>& projectors);
     void bringIn(CubeMapProjector& projector) const;
@@ -70,9 +74,7 @@ private:
     std::unique_ptr<TracerQueue> tracerQueue_;
     std::unique_ptr<RayTracedTexels> traced_;
     AbstractTexelSource* source_ = nullptr; ///< the one in use
-    std::unique_ptr<AbstractPixelSource> tracedPixels_;
-    std::unique_ptr<AbstractPixelSource> layeredPixels_;
-    AbstractPixelSource* pixels_ = nullptr; ///< the one in use
+    PixelSources pixelSources_;
     int passes_ = 1;
     int begun_ = 0;
 };

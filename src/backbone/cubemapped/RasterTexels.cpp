@@ -63,6 +63,11 @@ bool RasterTexels::lacks(const CubeMapProjector& projector) const {
            (work != works_.end() && !work->second.toKeep.empty());
 }
 
+bool RasterTexels::keeps(const CubeMapProjector& projector) const {
+    const auto work = works_.find(projector.id());
+    return work == works_.end() || work->second.toKeep.empty();
+}
+
 bool RasterTexels::capturing(CubeMapId id) const {
     const auto work = works_.find(id);
     return work != works_.end() && !work->second.capture.ready;

@@ -31,6 +31,7 @@ public:
     AoStatus advance(const std::vector<CubeMapProjector*>& projectors,
                      double milliseconds) override;
     bool lacks(const CubeMapProjector& projector) const override;
+    bool keeps(const CubeMapProjector& projector) const override;
     bool capturing(CubeMapId id) const override;
     void forget(CubeMapId id) override { works_.erase(id); }
     /// Something has changed within a region that a cube map does not see: what was captured of it

@@ -32,15 +32,22 @@ int TileProgress::tileAt(int face, const glm::vec2& at) const {
     return (face * perEdge_ + along(at.y)) * perEdge_ + along(at.x);
 }
 
-void TileProgress::ask(int face, const glm::vec2& at, int perBlock) {
+void TileProgress::ask(int face, const glm::vec2& at, int perBlock, AskedTiles* by) {
+    if (by != nullptr) {
+        by->resize(tiles_.size());
+    }
     const int lastColumn = along(at.x + kNear);
     const int lastRow = along(at.y + kNear);
     const int firstColumn = along(at.x - kNear);
     for (int row = along(at.y - kNear); row <= lastRow; ++row) {
         for (int column = firstColumn; column <= lastColumn; ++column) {
-            Tile& tile =
-                tiles_[static_cast<std::size_t>((face * perEdge_ + row) * perEdge_ + column)];
+            const auto number =
+                static_cast<std::size_t>((face * perEdge_ + row) * perEdge_ + column);
+            Tile& tile = tiles_[number];
             tile.asked = true;
+            if (by != nullptr) {
+                (*by)[number] = true;
+            }
             if (perBlock > 0 && tile.blockPasses >= perBlock * tile.blocksAsked) {
                 tile.blocksAsked = static_cast<std::uint8_t>(std::min(tile.blocksAsked + 1, 255));
             }
@@ -109,6 +116,16 @@ int TileProgress::fewestPasses() const {
 bool TileProgress::lacks(int passes) const {
     const int fewest = fewestPasses();
     return fewest >= 0 && fewest < passes;
+}
+
+bool TileProgress::lacksAny(const AskedTiles& tiles, int passes) const {
+    for (std::size_t i = 0; i < std::min(tiles.size(), tiles_.size()); ++i) {
+        const Tile& tile = tiles_[i];
+        if (tiles[i] && (tile.passes < passes || tile.blockPasses < passes * tile.blocksNeeded())) {
+            return true;
+        }
+    }
+    return false;
 }
 
 std::vector<int> TileProgress::mostUrgent(int most) const {

@@ -2,21 +2,25 @@
 
 namespace aolib {
 
-void ViewRepair::follow(const Frame& frame, AbstractPixelSource* source) {
-    const View view{frame.camera, frame.size, frame.clip};
-    if (view_ == view && source_ == source) {
+void ViewRepair::follow(const Frame& frame, PixelSources::Kind kind, const Make& make) {
+    const Sight sight{frame.camera, frame.size, frame.clip};
+    if (sight_ == sight && kind_ == kind) {
         ++framesAtRest_;
         return;
     }
     restart();
-    source_ = source;
-    view_ = view;
+    if (kind_ != kind) {
+        source_ = make();
+        kind_ = kind;
+    }
+    sight_ = sight;
     framesAtRest_ = 0;
 }
 
 void ViewRepair::dropSource() {
     restart();
-    source_ = nullptr;
+    source_.reset();
+    kind_ = PixelSources::Kind::None;
 }
 
 void ViewRepair::restart() {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include <glm/mat4x4.hpp>
@@ -28,6 +29,9 @@ namespace aolib {
 /// they must run with the context current that was current at create(). One thread at a time.
 class AOLIB_EXPORT AmbientOcclusion {
 public:
+    /// Called with how much of a longer call is done, 0 to 1, never less than before. False stops
+    /// it.
+    using ProgressCallback = std::function<bool(float progress)>;
     /// Called with each failure, after it was kept as lastStatus().
     using MessageSink = std::function<void(const AoStatus&)>;
 
@@ -110,6 +114,17 @@ public:
     /// Errors: InvalidCallOrder (the backbone keeps no cube maps), InvalidPosition, NoScene,
     /// MissingCapability, OutOfMemory, CallbackFailed. Context. Thesis 4.2.1. Since 0.1.
     Result<CubeMapId> addCubeMap(const glm::vec3& position);
+    /// Computes all cube maps that were placed by addCubeMap(), whole, before it returns, whatever
+    /// the frame budget: behind a loading screen.
+    /// @param callback   called every few hundredths of a second, and with 1 at the end; empty for
+    ///                   none. GL state is the host's while it runs: it may draw and swap. Calls to
+    ///                   the same instance are refused meanwhile.
+    /// @param positions  where cube maps are to be placed before, as by addCubeMap(); world units.
+    ///                   Where such a one stands already there is no other.
+    /// Errors: InvalidCallOrder (within a frame, or the backbone keeps no cube maps), Cancelled
+    /// (the callback said so: what was computed stays, the rest is left to frames), CallbackFailed,
+    /// and those of addCubeMap(), after which the positions have none. Context. Since 0.1.
+    AoStatus prepare(const ProgressCallback& callback, std::span<const glm::vec3> positions = {});
     /// Errors: UnknownCubeMap. Context.
     AoStatus removeCubeMap(CubeMapId id);
     /// Removes all cube maps; the scene stays. Context.

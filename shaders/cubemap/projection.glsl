@@ -34,11 +34,12 @@ const float kAnywhere = 1.0e30;
 // Weights go with the fourth power of the quality factor; what is below this share of the best counts for
 // nothing.
 const float kLeastShare = 0.25;
-// Visibility changes within a share of the occluders' reach: texels that are longer on the surface know
+// Visibility changes within the reach of occluders: texels that are longer on the surface know
 // nothing of it, but where pixels are about as long. Cube maps that look along a surface from far away
 // have such.
-const float kLongestOfReach = 0.5;
-const float kLongestOfPixel = 16.0;
+const float kLongestOfReach = 1.0;
+const float kLongestOfPixel = 32.0;
+const float kMostGrazing = 0.01; // cosine to the viewer below which pixels count as no longer
 // Sum of weights, 2^-(distance in footprints)^2, from which texels are near enough.
 const float kLeastWeight = 0.002;
 // Texels about a point that differ by more than this in visibility leave it in doubt.
@@ -167,7 +168,7 @@ float fourthPower(float x) {
 // @param footprint  of the pixel, square on
 // @param facing     cosine of the surface to the viewer
 float longestTexel(float footprint, float facing) {
-    return max(kLongestOfReach * uReach, kLongestOfPixel * footprint / max(facing, kSteepest));
+    return max(kLongestOfReach * uReach, kLongestOfPixel * footprint / max(facing, kMostGrazing));
 }
 
 // How far from a point's plane its texels may lie; negative where it is seen from less than half a texel

@@ -124,6 +124,12 @@ Result<const gl::RenderToTexture2D*> AbstractBackbone::fillBuffers(const Frame& 
 Result<CubeMapId> AbstractBackbone::addCubeMap(const glm::vec3& /*position*/) {
     return keepsNoCubeMaps();
 }
+AoStatus AbstractBackbone::beginPreparing(std::span<const glm::vec3> /*positions*/) {
+    return keepsNoCubeMaps();
+}
+Result<float> AbstractBackbone::goOnPreparing(double /*milliseconds*/) {
+    return keepsNoCubeMaps();
+}
 AoStatus AbstractBackbone::removeCubeMap(CubeMapId /*id*/) {
     return keepsNoCubeMaps();
 }

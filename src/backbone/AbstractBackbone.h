@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <aolib/Statistics.h>
@@ -40,6 +41,10 @@ public:
 
     /// Cube maps; a strategy that keeps none answers InvalidCallOrder.
     virtual Result<CubeMapId> addCubeMap(const glm::vec3& position);
+    /// Places cube maps, unless some stand there already; those placed by hand are to be computed.
+    virtual AoStatus beginPreparing(std::span<const glm::vec3> positions);
+    /// Goes on with them for about as long. @return how much is done; 1 when all is
+    virtual Result<float> goOnPreparing(double milliseconds);
     virtual AoStatus removeCubeMap(CubeMapId id);
     virtual AoStatus clear();
     virtual std::vector<CubeMapInfo> cubeMaps() { return {}; }

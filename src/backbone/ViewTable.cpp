@@ -20,6 +20,7 @@ ViewState& ViewTable::begin(ViewId id, const Sight& sight) {
     ++frames_;
     ViewState& state = choose(id, sight);
     if (state.sight != sight) {
+        state.returns = state.sightBefore == sight ? state.returns + 1 : 0;
         state.sightBefore = state.sight;
         state.sight = sight;
     }
@@ -39,10 +40,10 @@ ViewState& ViewTable::choose(ViewId id, const Sight& sight) {
     if (latest == nullptr) {
         return add(id);
     }
-    if (latest->sightBefore != sight) {
+    if (latest->sightBefore != sight || latest->returns + 1 < kTurns) {
         return *latest; // its camera has moved
     }
-    // The camera before the latest returns: there are two views.
+    latest->returns = 0;
     if (ViewState* idle = idleOf(id)) {
         return *idle;
     }

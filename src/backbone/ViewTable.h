@@ -14,7 +14,7 @@ namespace aolib {
 /// the states hold.
 ///
 /// Where a host draws several views by one id, the table tells them apart by their cameras once
-/// they rest: a camera that returns after another has been drawn is a view of its own.
+/// they rest: of two cameras that take turns each is a view of its own.
 class ViewTable {
 public:
     /// Views are given up after so many frames of others, and after so many for each view there is.
@@ -26,6 +26,8 @@ public:
     static constexpr std::uint64_t kRecentRounds = 2;
     /// Most views at a time: the one that was drawn longest ago makes room.
     static constexpr std::size_t kMost = 64;
+    /// Frames by one id in which two cameras take turns until they are two views.
+    static constexpr int kTurns = 3;
     /// Most of them by one id.
     static constexpr std::size_t kMostPerId = 8;
 

@@ -27,6 +27,8 @@ public:
     ///                      done in any case.
     virtual AoStatus advance(const std::vector<CubeMapProjector*>& projectors,
                              double milliseconds) = 0;
+    /// Waits until advance() has something to do, where others work for it, and at most so long.
+    virtual void await(double /*milliseconds*/) {}
     /// Whether something that is asked for is still to be computed.
     virtual bool lacks(const CubeMapProjector& projector) const {
         return projector.tiles.lacks(passes());

@@ -22,6 +22,14 @@ AoStatus make(std::optional<Part>& part, const BackboneContext& context) {
     return created.status();
 }
 
+/// Said of what is not prepared, at most.
+constexpr float kAlmostPrepared = 0.99F;
+
+AoStatus noScene() {
+    return {StatusCode::NoScene,
+            "there are no triangles to place a cube map among; describe a mesh first"};
+}
+
 AoStatus unknown(CubeMapId id) {
     return {StatusCode::UnknownCubeMap,
             "no cube map has the id " + std::to_string(static_cast<std::uint32_t>(id))};
@@ -56,8 +64,7 @@ BackboneCubemapped::create(const BackboneContext& context) {
 
 Result<CubeMapId> BackboneCubemapped::addCubeMap(const glm::vec3& position) {
     if (context_.scene.empty()) {
-        return AoStatus(StatusCode::NoScene,
-                        "there are no triangles to place a cube map among; describe a mesh first");
+        return noScene();
     }
     cubeMaps_.followOptions();
     if (AoStatus status = followScene(); !status) {
@@ -83,6 +90,66 @@ Result<CubeMapId> BackboneCubemapped::place(const glm::vec3& position, bool byHa
     }
     cubeMapsChanged();
     return id;
+}
+
+AoStatus BackboneCubemapped::beginPreparing(std::span<const glm::vec3> positions) {
+    if (context_.scene.empty()) {
+        return noScene();
+    }
+    prepared_ = 0.0F;
+    cubeMaps_.followOptions();
+    if (AoStatus status = followScene(); !status) {
+        return status;
+    }
+    std::vector<CubeMapProjector*> placed;
+    for (const glm::vec3& position : positions) {
+        const auto one = placeToPrepare(position);
+        if (!one) {
+            std::ranges::for_each(placed, [&](auto* added) { cubeMaps_.remove(*added); });
+            return one.status();
+        }
+        if (*one != nullptr) {
+            placed.push_back(*one);
+        }
+    }
+    cubeMapsChanged();
+    return {};
+}
+
+Result<CubeMapProjector*> BackboneCubemapped::placeToPrepare(const glm::vec3& position) {
+    const glm::vec3 at = Placement::freePosition(context_.scene, position);
+    const auto stands = [&](const auto* one) { return one->position() == at; };
+    if (std::ranges::any_of(placedByHand(), stands)) {
+        return nullptr;
+    }
+    if (AoStatus status = cubeMaps_.makeRoomAtOnce(); !status) {
+        return status;
+    }
+    return cubeMaps_.add(at, /*byHand=*/true);
+}
+
+std::vector<CubeMapProjector*> BackboneCubemapped::placedByHand() const {
+    std::vector<CubeMapProjector*> placed;
+    for (const auto& projector : cubeMaps_.all()) {
+        if (projector->use.byHand) {
+            placed.push_back(projector.get());
+        }
+    }
+    return placed;
+}
+
+Result<float> BackboneCubemapped::goOnPreparing(double milliseconds) {
+    const std::vector<CubeMapProjector*> placed = placedByHand();
+    if (AoStatus status = followScene(); !status) {
+        return status;
+    }
+    const auto complete = schedule_.completeSome(placed, milliseconds);
+    if (!complete) {
+        return complete.status();
+    }
+    forEachView([](CubemappedView& one) { one.cubeMapsBegun(); });
+    prepared_ = *complete ? 1.0F : std::max(prepared_, kAlmostPrepared * shareComputed(placed));
+    return prepared_;
 }
 
 AoStatus BackboneCubemapped::removeCubeMap(CubeMapId id) {

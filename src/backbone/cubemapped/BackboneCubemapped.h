@@ -31,6 +31,8 @@ public:
     void dropTracer() override;
     void rendererChanged() override { markAllDirty(); }
     Result<CubeMapId> addCubeMap(const glm::vec3& position) override;
+    AoStatus beginPreparing(std::span<const glm::vec3> positions) override;
+    Result<float> goOnPreparing(double milliseconds) override;
     AoStatus removeCubeMap(CubeMapId id) override;
     AoStatus clear() override;
     std::vector<CubeMapInfo> cubeMaps() override;
@@ -78,8 +80,11 @@ private:
     bool complete(CubemappedView& view);
     /// Computes what the view's cube maps lack, as much as the budget allows.
     AoStatus computeTexels(CubemappedView& view);
-    /// Share of the passes that the cube maps in use need and have had.
-    float shareComputed(const CubemappedView& view) const;
+    /// Share of the passes that cube maps need and have had.
+    float shareComputed(const std::vector<CubeMapProjector*>& projectors) const;
+    std::vector<CubeMapProjector*> placedByHand() const;
+    /// Places the one that prepare() asks for. @return null where one stands already
+    Result<CubeMapProjector*> placeToPrepare(const glm::vec3& position);
     /// Computes pixels of a view at rest whose cube maps are complete.
     void repair(const Frame& frame);
     KeptTexels kept();
@@ -108,6 +113,7 @@ private:
 
     float builtRadius_ = 0.0F; ///< that the cube maps which are not dirty were built with
 
+    float prepared_ = 0.0F;    ///< of what is prepared, so far
     std::uint64_t frames_ = 0; ///< ended, of all views
 };
 

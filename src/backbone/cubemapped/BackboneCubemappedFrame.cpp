@@ -162,13 +162,13 @@ void BackboneCubemapped::repair(const Frame& frame) {
         of.pictures.told = {};
     }
     of.convergedIn = of.isConverged && !before ? frames_ + 1 : of.convergedIn;
-    of.noteComputed(of.surveyed() || schedule_.atOnce() ? shareComputed(of) : 0.0F);
+    of.noteComputed(of.surveyed() || schedule_.atOnce() ? shareComputed(of.used) : 0.0F);
 }
 
-float BackboneCubemapped::shareComputed(const CubemappedView& of) const {
+float BackboneCubemapped::shareComputed(const std::vector<CubeMapProjector*>& projectors) const {
     const int blockWeight = cubeMaps_.blocks().scale() * cubeMaps_.blocks().scale();
     TileProgress::Share sum;
-    for (const CubeMapProjector* projector : of.used) {
+    for (const CubeMapProjector* projector : projectors) {
         const TileProgress::Share share = projector->tiles.share(schedule_.passes(), blockWeight);
         sum.done += share.done;
         sum.needed += share.needed;

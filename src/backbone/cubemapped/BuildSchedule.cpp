@@ -13,6 +13,11 @@ namespace {
 /// that is to go falls as fast.
 constexpr int kFramesToComeIn = 32;
 
+double millisecondsFrom(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+        .count();
+}
+
 } // namespace
 
 // ---- Where texels and pixels come from ----------------------------------------------------------
@@ -114,13 +119,15 @@ AoStatus BuildSchedule::compute(const std::vector<CubeMapProjector*>& projectors
         }
         if (atOnce() && (begins || source_->lacks(*projector))) {
             projector->tiles.askAll();
-            if (AoStatus status = source_->complete(*projector); !status) {
+            if (AoStatus status = complete(*projector); !status) {
                 return status;
             }
         }
         projector->dirty = false;
     }
-    const AoStatus status = atOnce() ? AoStatus() : advance(projectors);
+    const AoStatus status =
+        atOnce() ? AoStatus()
+                 : advance(projectors, static_cast<double>(context_.options.frameBudget));
     for (CubeMapProjector* projector : projectors) {
         bringIn(*projector);
     }
@@ -136,16 +143,48 @@ void BuildSchedule::begin(CubeMapProjector& projector) {
     ++begun_;
 }
 
-AoStatus BuildSchedule::advance(const std::vector<CubeMapProjector*>& projectors) {
+AoStatus BuildSchedule::complete(CubeMapProjector& projector) {
+    const auto start = std::chrono::steady_clock::now();
+    AoStatus status = source_->complete(projector);
+    projector.buildMs += millisecondsFrom(start);
+    return status;
+}
+
+Result<bool> BuildSchedule::completeSome(const std::vector<CubeMapProjector*>& projectors,
+                                         double milliseconds) {
+    if (AoStatus status = chooseSource(); !status) {
+        return status;
+    }
+    for (CubeMapProjector* projector : projectors) {
+        if (projector->dirty || (projector->outdated && !source_->capturing(projector->id()))) {
+            begin(*projector);
+            projector->dirty = false;
+        }
+        projector->tiles.askAll();
+    }
+    if (AoStatus status = advance(projectors, milliseconds); !status) {
+        return status;
+    }
+    bool complete = true;
+    for (CubeMapProjector* projector : projectors) {
+        const bool lacks = !projector->shown || source_->lacks(*projector);
+        projector->bias = lacks ? projector->bias : 0.0F;
+        complete = complete && !lacks;
+    }
+    if (!complete) {
+        source_->await(milliseconds);
+    }
+    return complete;
+}
+
+AoStatus BuildSchedule::advance(const std::vector<CubeMapProjector*>& projectors,
+                                double milliseconds) {
     const auto lacking = std::find_if(projectors.begin(), projectors.end(),
                                       [&](const auto* one) { return source_->lacks(*one); });
     const auto start = std::chrono::steady_clock::now();
-    AoStatus status =
-        source_->advance(projectors, static_cast<double>(context_.options.frameBudget));
+    AoStatus status = source_->advance(projectors, milliseconds);
     if (lacking != projectors.end()) { // the one that is worked on
-        const std::chrono::duration<double, std::milli> spent =
-            std::chrono::steady_clock::now() - start;
-        (*lacking)->buildMs += spent.count();
+        (*lacking)->buildMs += millisecondsFrom(start);
     }
     return status;
 }

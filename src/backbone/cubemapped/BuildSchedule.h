@@ -47,6 +47,10 @@ public:
     /// allows. Lets those that are complete come in over a few frames.
     /// Errors: as chooseSource(), and those of the source.
     AoStatus compute(const std::vector<CubeMapProjector*>& projectors);
+    /// Goes on with cube maps, whole, whatever the frame budget, for about as long. Complete ones
+    /// need not come in. @return whether all are complete
+    Result<bool> completeSome(const std::vector<CubeMapProjector*>& projectors,
+                              double milliseconds);
     /// Whether nothing is left to do for a cube map, as far as one view has asked for it.
     bool finished(const CubeMapProjector& projector, const AskedTiles& asked) const;
     /// Passes that a tile needs.
@@ -62,7 +66,9 @@ private:
     AoStatus choosePixels();
     void askTracer();
     void begin(CubeMapProjector& projector);
-    AoStatus advance(const std::vector<CubeMapProjector*>& projectors);
+    /// Computes all of a cube map.
+    AoStatus complete(CubeMapProjector& projector);
+    AoStatus advance(const std::vector<CubeMapProjector*>& projectors, double milliseconds);
     void bringIn(CubeMapProjector& projector) const;
 
     const BackboneContext context_;

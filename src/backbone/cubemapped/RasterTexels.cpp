@@ -1,7 +1,6 @@
 #include "backbone/cubemapped/RasterTexels.h"
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 #include "backbone/Estimators.h"
@@ -76,7 +75,6 @@ bool RasterTexels::capturing(CubeMapId id) const {
 // ---- At once ------------------------------------------------------------------------------------
 
 AoStatus RasterTexels::complete(CubeMapProjector& projector) {
-    const auto start = std::chrono::steady_clock::now();
     projector.timer.begin();
     const auto work = begin(projector);
     if (!work) {
@@ -109,8 +107,6 @@ AoStatus RasterTexels::complete(CubeMapProjector& projector) {
     projector.shown = true;
     projector.timer.end();
     forget(projector.id());
-    projector.buildMs =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     return {};
 }
 

@@ -10,7 +10,7 @@ void ViewRepair::follow(const Frame& frame, PixelSources::Kind kind, const Make&
     }
     restart();
     if (kind_ != kind) {
-        source_ = make();
+        source_ = kind == PixelSources::Kind::None ? nullptr : make();
         kind_ = kind;
     }
     sight_ = sight;

@@ -1,5 +1,8 @@
 #include <aolib/AmbientOcclusion.h>
 
+#include <algorithm>
+#include <exception>
+#include <string>
 #include <utility>
 
 #include "AmbientOcclusionImpl.h"
@@ -9,6 +12,9 @@
 namespace aolib {
 
 namespace {
+
+/// From one call of a progress callback to the next.
+constexpr double kMillisecondsPerProgress = 20.0;
 
 /// Set while it lives.
 class Flag {
@@ -205,6 +211,56 @@ Result<CubeMapId> AmbientOcclusion::addCubeMap(const glm::vec3& position) {
         impl_->guarded([&](AbstractBackbone& to) { return to.addCubeMap(position); }));
 }
 
+AoStatus AmbientOcclusion::prepare(const ProgressCallback& callback,
+                                   std::span<const glm::vec3> positions) {
+    return impl_->report(impl_->prepare(callback, positions));
+}
+
+AoStatus AmbientOcclusion::Impl::prepare(const ProgressCallback& callback,
+                                         std::span<const glm::vec3> positions) {
+    if (drawing) {
+        return {StatusCode::InvalidCallOrder,
+                "prepare: a frame was begun; end it with aoDrawEnd before"};
+    }
+    if (!std::ranges::all_of(positions, [](const glm::vec3& one) { return isFinite(one); })) {
+        return {StatusCode::InvalidPosition, "the position of a cube map must be finite"};
+    }
+    if (AoStatus status =
+            guarded([&](AbstractBackbone& to) { return to.beginPreparing(positions); });
+        !status) {
+        return status;
+    }
+    for (float progress = 0.0F; progress < 1.0F;) {
+        const auto done = guarded(
+            [](AbstractBackbone& to) { return to.goOnPreparing(kMillisecondsPerProgress); });
+        if (!done) {
+            return done.status();
+        }
+        progress = *done;
+        if (AoStatus status = tell(callback, progress); !status) {
+            return status;
+        }
+    }
+    return {};
+}
+
+AoStatus AmbientOcclusion::Impl::tell(const ProgressCallback& callback, float progress) {
+    const Flag running(rendering);
+    try {
+        if (!callback || callback(progress)) {
+            return {};
+        }
+    } catch (const std::exception& thrown) {
+        return {StatusCode::CallbackFailed,
+                std::string("the progress callback threw: ") + thrown.what()};
+    } catch (...) {
+        return {StatusCode::CallbackFailed,
+                "the progress callback threw what is no std::exception"};
+    }
+    return {StatusCode::Cancelled, "prepare: the progress callback stopped it; what was computed "
+                                   "stays"};
+}
+
 AoStatus AmbientOcclusion::removeCubeMap(CubeMapId id) {
     return impl_->report(
         impl_->guarded([&](AbstractBackbone& to) { return to.removeCubeMap(id); }));
@@ -237,7 +293,7 @@ AoStatus AmbientOcclusion::aoDrawBegin() {
     return {};
 }
 
-AoStatus AmbientOcclusion::aoDrawEnd(float x, float y, float z) {
+AoStatus AmbientOcclusion::aoDrawEnd(float x, float y, float z, ViewId id) {
     if (AoStatus status = impl_->allowed(); !status) {
         return impl_->report(std::move(status));
     }
@@ -246,10 +302,29 @@ AoStatus AmbientOcclusion::aoDrawEnd(float x, float y, float z) {
                               "aoDrawEnd: no frame was begun; call aoDrawBegin before drawing"});
     }
     impl_->drawing = false;
-    return impl_->report(impl_->drawEnd({x, y, z}));
+    return impl_->report(impl_->drawEnd({x, y, z}, id));
 }
 
-AoStatus AmbientOcclusion::Impl::drawEnd(const glm::vec3& position) {
+AoStatus AmbientOcclusion::aoShade(const glm::mat4& view, const glm::mat4& projection, ViewId id) {
+    AoStatus status = aoSetCamera(view, projection);
+    if (status) {
+        status = aoDrawBegin();
+    }
+    if (!status) {
+        return status;
+    }
+    const glm::vec3 eye = impl_->view.eye();
+    return aoDrawEnd(eye.x, eye.y, eye.z, id);
+}
+
+AoStatus AmbientOcclusion::removeView(ViewId id) {
+    return impl_->report(impl_->guarded([&](AbstractBackbone& to) {
+        to.removeView(id);
+        return AoStatus();
+    }));
+}
+
+AoStatus AmbientOcclusion::Impl::drawEnd(const glm::vec3& position, ViewId id) {
     Result<Frame> frame = view.frameFrom(gl, position);
     if (!frame) {
         return frame.status();
@@ -258,12 +333,13 @@ AoStatus AmbientOcclusion::Impl::drawEnd(const glm::vec3& position) {
     if (AoStatus status = HostView::takeTarget(guard, *frame); !status) {
         return status;
     }
+    frame->view = id;
     followChoice();
     return backbone->drawEnd(*frame);
 }
 
 Result<TextureName> AmbientOcclusion::aoApply(const HostTextures& textures,
-                                              const glm::vec3& position) {
+                                              const glm::vec3& position, ViewId id) {
     if (AoStatus status = impl_->allowed(); !status) {
         return impl_->report(std::move(status));
     }
@@ -274,6 +350,7 @@ Result<TextureName> AmbientOcclusion::aoApply(const HostTextures& textures,
     const auto apply = [&]() -> Result<TextureName> {
         const gl::StateGuard guard(impl_->gl);
         frame->srgb = guard.hostSrgb();
+        frame->view = id;
         impl_->followChoice();
         return impl_->backbone->apply(*frame, textures);
     };
@@ -286,6 +363,17 @@ Statistics AmbientOcclusion::statistics() const {
     Statistics statistics = impl_->backbone->statistics();
     statistics.estimator = impl_->inForce.estimator;
     return statistics;
+}
+
+Statistics AmbientOcclusion::statistics(ViewId id) const {
+    Statistics statistics = impl_->backbone->statistics(id);
+    statistics.estimator = impl_->inForce.estimator;
+    return statistics;
+}
+
+Result<VisibilityImage> AmbientOcclusion::readVisibility(ViewId id) {
+    return impl_->report(
+        impl_->guarded([&](AbstractBackbone& to) { return to.readVisibility(id); }));
 }
 
 Result<VisibilityImage> AmbientOcclusion::readVisibility() {

@@ -22,7 +22,7 @@ struct AmbientOcclusion::Impl {
     gl::VertexArray generated;
     std::unique_ptr<AbstractTexelTracer> tracer;
     SceneRenderer renderer; ///< calls the host's, and has other calls refused meanwhile
-    bool rendering = false; ///< the host's renderer runs
+    bool rendering = false; ///< a callback of the host's runs
     std::unique_ptr<AbstractBackbone> backbone;
     HostView view;
     bool drawing = false;
@@ -60,10 +60,10 @@ struct AmbientOcclusion::Impl {
         }
     }
 
-    /// Ok, but within the host's scene renderer.
+    /// Ok, but within a callback of the host's.
     AoStatus allowed() const {
         return rendering ? AoStatus(StatusCode::InvalidCallOrder,
-                                    "not allowed within the scene renderer of the same instance")
+                                    "not allowed within a callback of the same instance")
                          : AoStatus();
     }
     /// A call to the backbone on a clean slate. Reports come after it: a message sink is the host's
@@ -78,7 +78,9 @@ struct AmbientOcclusion::Impl {
         return call(*backbone);
     }
 
-    AoStatus drawEnd(const glm::vec3& position);
+    AoStatus prepare(const ProgressCallback& callback, std::span<const glm::vec3> positions);
+    AoStatus tell(const ProgressCallback& callback, float progress);
+    AoStatus drawEnd(const glm::vec3& position, ViewId id);
 };
 
 } // namespace aolib

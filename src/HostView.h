@@ -18,6 +18,8 @@ class HostView {
 public:
     /// The camera of all frames from now on. Errors: InvalidCamera; then the one before stays.
     AoStatus setCamera(const glm::mat4& view, const glm::mat4& projection);
+    /// Where the camera stands that was given, world units.
+    glm::vec3 eye() const { return camera_ ? glm::vec3(camera_->eye()) : glm::vec3(0.0F); }
     /// A frame begins. Without a camera, notes GL's matrices in a compatibility context.
     void begin(const gl::Functions& gl);
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include <glm/mat4x4.hpp>
@@ -17,6 +18,7 @@
 #include <aolib/SceneRenderer.h>
 #include <aolib/Statistics.h>
 #include <aolib/Status.h>
+#include <aolib/ViewId.h>
 
 namespace aolib {
 
@@ -27,6 +29,9 @@ namespace aolib {
 /// they must run with the context current that was current at create(). One thread at a time.
 class AOLIB_EXPORT AmbientOcclusion {
 public:
+    /// Called with how much of a longer call is done, 0 to 1, never less than before. False stops
+    /// it.
+    using ProgressCallback = std::function<bool(float progress)>;
     /// Called with each failure, after it was kept as lastStatus().
     using MessageSink = std::function<void(const AoStatus&)>;
 
@@ -109,6 +114,17 @@ public:
     /// Errors: InvalidCallOrder (the backbone keeps no cube maps), InvalidPosition, NoScene,
     /// MissingCapability, OutOfMemory, CallbackFailed. Context. Thesis 4.2.1. Since 0.1.
     Result<CubeMapId> addCubeMap(const glm::vec3& position);
+    /// Computes all cube maps that were placed by addCubeMap(), whole, before it returns, whatever
+    /// the frame budget: behind a loading screen.
+    /// @param callback   called every few hundredths of a second, and with 1 at the end; empty for
+    ///                   none. GL state is the host's while it runs: it may draw and swap. Calls to
+    ///                   the same instance are refused meanwhile.
+    /// @param positions  where cube maps are to be placed before, as by addCubeMap(); world units.
+    ///                   Where such a one stands already there is no other.
+    /// Errors: InvalidCallOrder (within a frame, or the backbone keeps no cube maps), Cancelled
+    /// (the callback said so: what was computed stays, the rest is left to frames), CallbackFailed,
+    /// and those of addCubeMap(), after which the positions have none. Context. Since 0.1.
+    AoStatus prepare(const ProgressCallback& callback, std::span<const glm::vec3> positions = {});
     /// Errors: UnknownCubeMap. Context.
     AoStatus removeCubeMap(CubeMapId id);
     /// Removes all cube maps; the scene stays. Context.
@@ -127,29 +143,47 @@ public:
     /// Ends the frame: reads the depth that the host drew, and darkens its colours by the ambient
     /// occlusion of the scene. Framebuffer and viewport are those current at this call.
     /// @param x,y,z  world position of the camera.
+    /// @param view   whose frame it is, where the host has several.
     /// Without aoSetCamera() in a compatibility context the matrices are read from GL, if one of
     /// those at aoDrawBegin() and aoDrawEnd() belongs to this position.
     /// Errors: InvalidCallOrder, NoCamera, InvalidCamera, InvalidFramebuffer, OutOfMemory,
     /// MissingCapability, CallbackFailed. Context.
-    AoStatus aoDrawEnd(float x, float y, float z);
+    AoStatus aoDrawEnd(float x, float y, float z, ViewId view = {});
+    /// The same as aoSetCamera(), aoDrawBegin() and aoDrawEnd() at the eye of the matrices: for
+    /// hosts that hook in once they have drawn. Errors: theirs. Context. Since 0.1.
+    AoStatus aoShade(const glm::mat4& view, const glm::mat4& projection, ViewId id = {});
     /// A frame for hosts that render to textures of their own: instead of aoDrawBegin() and
     /// aoDrawEnd(), between them or not. Clip control and depth range that count are those current
     /// at this call; viewport and framebuffer do not.
     /// @param position  world position of the camera.
+    /// @param view      whose frame it is, where the host has several.
     /// @return without a colour texture one that holds what colours are to be multiplied by,
     /// (1 - a) + a W, in red (GL_R8, 1 for the background); aolib's own, of the size given, valid
-    /// until the next call or the end. With a colour texture none: that one has been multiplied.
-    /// Errors: as aoDrawEnd; InvalidFramebuffer for a texture that is missing or of no use here.
-    /// Context. Since 0.1.
-    Result<TextureName> aoApply(const HostTextures& textures, const glm::vec3& position);
+    /// until the next call for the view or its end. With a colour texture none: that one has been
+    /// multiplied. Errors: as aoDrawEnd; InvalidFramebuffer for a texture that is missing or of no
+    /// use here. Context. Since 0.1.
+    Result<TextureName> aoApply(const HostTextures& textures, const glm::vec3& position,
+                                ViewId view = {});
+    /// Drops what is kept for a view: a window was closed. Nothing happens where nothing is. Views
+    /// that are not drawn are dropped by themselves, after 256 frames of others or eight for each
+    /// view, and of more than 64 the one that was drawn longest ago. Errors: InvalidCallOrder
+    /// within a scene renderer. Context. Since 0.1.
+    AoStatus removeView(ViewId view);
 
     // ---- Results ---------------------------------------------------------------------------
 
-    /// What the latest frame did and cost.
+    /// What the latest frame did and cost, of whatever view.
     Statistics statistics() const;
+    /// What the latest frame of a view did: its coverage, geometry, convergence, cube maps and
+    /// repaired pixels; all else is the instance's. A view that has none is not converged.
+    /// Since 0.1.
+    Statistics statistics(ViewId view) const;
     /// Reads back the latest frame's ambient occlusion; waits for the GPU.
     /// Errors: InvalidCallOrder before the first frame. Context.
     Result<VisibilityImage> readVisibility();
+    /// The same of a view's latest frame. Errors: InvalidCallOrder where it has none. Context.
+    /// Since 0.1.
+    Result<VisibilityImage> readVisibility(ViewId view);
     /// Reads back a cube map; waits for the GPU. Errors: UnknownCubeMap. Context.
     Result<CubeMapImage> readCubeMap(CubeMapId id);
 

@@ -24,19 +24,33 @@ struct CubeMapInfo {
     double buildGpuMs = -1; ///< GPU time of the last build; -1 until the timer query has answered
 };
 
-/// What the latest frame did and cost.
+/// What the latest frame did and cost, or the latest frame of one view. "The view" is whose frame
+/// it was.
 struct Statistics {
-    std::uint64_t frame = 0;                    ///< frames ended so far
+    std::uint64_t frame = 0;                    ///< frames ended so far, of all views
     Estimator estimator = Estimator::Automatic; ///< in force: the one that Automatic chose, too
     float coverage = -1.0F; ///< share of geometry pixels that are shaded; -1 until known
     /// The frame that `coverage` was counted in: a few back, up to a dozen for a view at rest.
     std::uint64_t coverageFrame = 0;
+    /// Share of the view's pixels that show geometry, counted with `coverage`; -1 until known. 0
+    /// for a depth buffer that was still clear at aoDrawEnd(), as in a hook that runs before the
+    /// host draws: there is nothing to shade then, and `coverage` is 1. Backbone::Cubemapped alone.
+    float geometryShare = -1.0F;
     int cubeMapsProjected = 0;         ///< in the latest frame
     int cubeMapsBuilt = 0;             ///< in the latest frame, placed or rebuilt
     std::uint64_t cubeMapsEvicted = 0; ///< so far, to keep the memory budget
     std::size_t pixelsRepaired = 0;    ///< of a view at rest, computed by themselves
-    float computed = 1.0F;     ///< share of the passes that the latest frame's cube maps need
-    bool converged = true;     ///< nothing is left to compute for what the latest frame shows
+    /// How much is computed of what the view's cube maps need, 0 to 1, as far as is known: needs
+    /// show on the way. 0 until a frame of what the view shows has been looked at, 1 once
+    /// `converged` and only then. It only grows while neither the view nor the scene nor the
+    /// options change, and begins anew when one does.
+    float computed = 0.0F;
+    bool converged = false; ///< nothing is left to compute for what the view shows
+    /// Nothing is left to compute for any view that has been drawn of late: within the latest 64
+    /// frames, or twice as many as there are views. One that nobody draws any more thus stops to
+    /// count; removeView() has it stop at once.
+    bool allConverged = false;
+    int views = 0;             ///< that something is kept for
     double frameGpuMs = -1.0;  ///< GPU time of aolib's passes in an earlier frame; -1 until known
     std::size_t bytesKept = 0; ///< GPU memory of all cube maps
     std::size_t bytesBuilding = 0; ///< GPU memory held for cube maps on their way; given back

@@ -10,3 +10,4 @@
 #include <aolib/SceneRenderer.h>
 #include <aolib/Statistics.h>
 #include <aolib/Status.h>
+#include <aolib/ViewId.h>

@@ -19,9 +19,11 @@ void main() {
     vec3 eyeTo = uEyeToWorld * surface.eye;
     vec3 normal = uEyeToWorld * surface.normal;
     float resolution = depthResolution(surface.t);
+    float longest = longestTexel(pixelFootprint(surface.t),
+                                 dot(surface.normal, towardsViewer(surface.eye)));
     Projected best = nothingProjected();
-    projectAll(0, uCubes, eyeTo, normal, resolution, best);
-    refine(eyeTo, normal, resolution, best);
+    projectAll(0, uCubes, eyeTo, normal, resolution, longest, best);
+    refine(eyeTo, normal, resolution, longest, best);
     float d = rawDepth(pixel);
     if (best.doubt || isAlone(pixel, ivec2(1, 0), d, surface.t) ||
         isAlone(pixel, ivec2(0, 1), d, surface.t)) {

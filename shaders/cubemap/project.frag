@@ -46,12 +46,14 @@ void main() {
     vec3 eyeTo = uEyeToWorld * surface.eye;
     vec3 normal = uEyeToWorld * surface.normal;
     float resolution = depthResolution(surface.t);
-    projectAll(uFirstCube, uEndCube, eyeTo, normal, resolution, best);
+    float longest = longestTexel(pixelFootprint(surface.t),
+                                 dot(surface.normal, towardsViewer(surface.eye)));
+    projectAll(uFirstCube, uEndCube, eyeTo, normal, resolution, longest, best);
     if (last) {
         for (int cube = 0; cube < uFirstCube; ++cube) {
             consider(cube, eyeTo, normal, best);
         }
-        refine(eyeTo, normal, resolution, best);
+        refine(eyeTo, normal, resolution, longest, best);
         float repaired = repairedVisibility(pixel, rawDepth(pixel));
         if (repaired >= 0.0) {
             best.sum = repaired;

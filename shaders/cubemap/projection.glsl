@@ -12,6 +12,7 @@ uniform int uFaceSize;                  // texels
 // uniform switches off would cost all the same.) They lie in layers of the same textures.
 uniform sampler2DArray uPages; // a layer per face, a texel per tile: 1 + layer of its block, and where
                                // in the layer, x + 256 y in blocks; 0 where it has none
+uniform float uReach;           // of occluders, world units
 uniform int uBlockScale;       // texels of blocks along a texel; 1: they are of the surfaces behind
 // Per cube map: from its centre to the eye (world units), and what its quality is multiplied by.
 uniform vec4 uCubeToEye[64];
@@ -33,6 +34,12 @@ const float kAnywhere = 1.0e30;
 // Weights go with the fourth power of the quality factor; what is below this share of the best counts for
 // nothing.
 const float kLeastShare = 0.25;
+// Visibility changes within the reach of occluders: texels that are longer on the surface know
+// nothing of it, but where pixels are about as long. Cube maps that look along a surface from far away
+// have such.
+const float kLongestOfReach = 1.0;
+const float kLongestOfPixel = 32.0;
+const float kMostGrazing = 0.01; // cosine to the viewer below which pixels count as no longer
 // Sum of weights, 2^-(distance in footprints)^2, from which texels are near enough.
 const float kLeastWeight = 0.002;
 // Texels about a point that differ by more than this in visibility leave it in doubt.
@@ -157,12 +164,19 @@ float fourthPower(float x) {
     return square * square;
 }
 
+// How long texels may be on a surface, world units.
+// @param footprint  of the pixel, square on
+// @param facing     cosine of the surface to the viewer
+float longestTexel(float footprint, float facing) {
+    return max(kLongestOfReach * uReach, kLongestOfPixel * footprint / max(facing, kMostGrazing));
+}
+
 // How far from a point's plane its texels may lie; negative where it is seen from less than half a texel
-// above it and may well lie between the texels' rays.
-float planeTolerance(vec3 p, float depth, float facing, float scale, float resolution) {
+// above it and may well lie between the texels' rays, and where these are too long.
+float planeTolerance(vec3 p, float depth, float facing, float scale, float resolution, float longest) {
     float cosDelta = facing * inversesqrt(dot(p, p));
     float texels = scale * float(uFaceSize);
-    return cosDelta * texels >= 1.0
+    return cosDelta * texels >= 1.0 && 2.0 * depth <= longest * texels * cosDelta
                ? kPlaneFootprints * 2.0 * depth / (texels * max(cosDelta, kSteepest)) + resolution
                : -1.0;
 }
@@ -170,7 +184,8 @@ float planeTolerance(vec3 p, float depth, float facing, float scale, float resol
 // Adds what one cube map's faces know of a point.
 // @param eyeTo       from the eye to the point, world axes
 // @param resolution  how much the point's depth may be wrong, world units
-void project(int cube, vec3 eyeTo, vec3 normal, float resolution, inout Projected best) {
+// @param longest     how long texels may be on the surface, world units
+void project(int cube, vec3 eyeTo, vec3 normal, float resolution, float longest, inout Projected best) {
     vec3 p = uCubeToEye[cube].xyz + eyeTo;
     float facing = -dot(normal, p);
     if (!(facing > 0.0)) {
@@ -195,7 +210,7 @@ void project(int cube, vec3 eyeTo, vec3 normal, float resolution, inout Projecte
     bool doubt;
     float visibility =
         lookUp(inFace, normalInFace, wholeFace(layer), at - 0.5, uDepthCode[cube].xy,
-               planeTolerance(p, depth, facing, 1.0, resolution), kAnywhere, doubt);
+               planeTolerance(p, depth, facing, 1.0, resolution, longest), kAnywhere, doubt);
     if (visibility < 0.0) {
         if (quality > best.guessQuality) {
             best.guessQuality = quality;
@@ -216,11 +231,12 @@ void project(int cube, vec3 eyeTo, vec3 normal, float resolution, inout Projecte
 
 // The same of the cube maps from `first` to before `end`. The loop asks at its end: a software rasteriser,
 // which has no branches but a loop's way back, would run its body once more to find that nobody goes on.
-void projectAll(int first, int end, vec3 eyeTo, vec3 normal, float resolution, inout Projected best) {
+void projectAll(int first, int end, vec3 eyeTo, vec3 normal, float resolution, float longest,
+                inout Projected best) {
     int cube = first;
     if (cube < end) {
         do {
-            project(cube, eyeTo, normal, resolution, best);
+            project(cube, eyeTo, normal, resolution, longest, best);
         } while (++cube < end);
     }
 }
@@ -242,7 +258,7 @@ void consider(int cube, vec3 eyeTo, vec3 normal, inout Projected best) {
 // where none knows the surface, what the one that might knows of it in its block, or nearby. Apart from
 // project(), because a software rasteriser runs every branch, for each cube map again; only loops end
 // when no pixel of a group goes on.
-void refine(vec3 eyeTo, vec3 normal, float resolution, inout Projected best) {
+void refine(vec3 eyeTo, vec3 normal, float resolution, float longest, inout Projected best) {
     bool unknown = best.weights <= 0.0;
     if (unknown && best.guess < 0) {
         return;
@@ -259,7 +275,7 @@ void refine(vec3 eyeTo, vec3 normal, float resolution, inout Projected best) {
 #ifdef AO_BLOCKS
     int edge = kTile * uBlockScale;
     float scale = float(uBlockScale);
-    float tolerance = planeTolerance(p, inFace.z, -dot(normal, p), scale, resolution);
+    float tolerance = planeTolerance(p, inFace.z, -dot(normal, p), scale, resolution, longest);
     float apart = uBlockScale == 1 ? kBehindTolerances * tolerance : kAnywhere;
     ivec2 tile = min(ivec2(at), uFaceSize - 1) / kTile;
     ivec3 link = ivec3(tile, layer);

@@ -24,9 +24,11 @@ void main() {
         vec3 eyeTo = uEyeToWorld * surface.eye;
         vec3 normal = uEyeToWorld * surface.normal;
         float resolution = depthResolution(surface.t);
+        float longest = longestTexel(pixelFootprint(surface.t),
+                                     dot(surface.normal, towardsViewer(surface.eye)));
         Projected best = nothingProjected();
-        projectAll(0, uCubes, eyeTo, normal, resolution, best);
-        refine(eyeTo, normal, resolution, best);
+        projectAll(0, uCubes, eyeTo, normal, resolution, longest, best);
+        refine(eyeTo, normal, resolution, longest, best);
         if (uKnownAlone && best.weights <= 0.0) {
             discard;
         }

@@ -24,9 +24,11 @@ void main() {
     vec3 eyeTo = uEyeToWorld * surface.eye;
     vec3 normal = uEyeToWorld * surface.normal;
     float resolution = depthResolution(surface.t);
+    float longest = longestTexel(pixelFootprint(surface.t),
+                                 dot(surface.normal, towardsViewer(surface.eye)));
     Projected best = nothingProjected();
-    projectAll(0, uCubes, eyeTo, normal, resolution, best);
-    refine(eyeTo, normal, resolution, best);
+    projectAll(0, uCubes, eyeTo, normal, resolution, longest, best);
+    refine(eyeTo, normal, resolution, longest, best);
     int cube = best.quality > 0.0 ? best.cube : best.guess < 0 ? kCubeMask : best.guess;
     float footprint = intBitsToFloat((floatBitsToInt(pixelFootprint(surface.t)) & ~kCubeMask) | cube);
     outSample = vec4(eyeTo, best.weights > 0.0 ? footprint : -footprint);

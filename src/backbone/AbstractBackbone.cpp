@@ -22,11 +22,11 @@ AoStatus keepsNoCubeMaps() {
 } // namespace
 
 AoStatus AbstractBackbone::initialise() {
-    auto geometry = GeometryBuffer::create(context_);
+    auto geometry = GeometryPass::create(context_);
     if (!geometry) {
         return geometry.status();
     }
-    geometry_ = std::move(*geometry);
+    geometryPass_ = std::move(*geometry);
     auto blur = Blur::create(context_);
     if (!blur) {
         return blur.status();
@@ -46,12 +46,18 @@ AoStatus AbstractBackbone::initialise() {
 }
 
 AoStatus AbstractBackbone::drawEnd(Frame& frame) {
+    beginView(frame);
+    return drawView(frame);
+}
+
+AoStatus AbstractBackbone::drawView(Frame& frame) {
     timer_.begin();
-    if (AoStatus status = host_.acquire(context_.gl, frame); !status) {
+    ViewState& of = view();
+    if (AoStatus status = of.host.acquire(context_.gl, frame); !status) {
         return status;
     }
-    latest_ = frame;
-    buffered_ = false;
+    of.latest = frame;
+    of.buffered = false;
     if (AoStatus status = prepare(frame); !status) {
         return status;
     }
@@ -64,7 +70,7 @@ AoStatus AbstractBackbone::drawEnd(Frame& frame) {
         if (!projected) {
             return projected.status();
         }
-        composite_.apply(context_, frame, {geometry_, visibility_, **projected, radius()});
+        composite_.apply(context_, frame, {of.geometry, of.visibility, **projected, radius()});
     }
     const AoStatus finished = finishFrame(frame);
     timer_.end();
@@ -73,44 +79,55 @@ AoStatus AbstractBackbone::drawEnd(Frame& frame) {
 }
 
 Result<TextureName> AbstractBackbone::apply(Frame& frame, const HostTextures& textures) {
-    AoStatus status = applied_.attach(context_.gl, textures, frame);
+    frame.size = textures.size;
+    beginView(frame);
+    AppliedTextures& applied = view().applied;
+    AoStatus status = applied.attach(context_.gl, textures, frame);
     if (status) {
-        status = drawEnd(frame);
+        status = drawView(frame);
     }
-    applied_.release(context_.gl);
+    applied.release(context_.gl);
     if (!status) {
         return status;
     }
-    return textures.colour == TextureName{} ? applied_.factor() : TextureName{};
+    return textures.colour == TextureName{} ? applied.factor() : TextureName{};
 }
 
 Result<const gl::RenderToTexture2D*> AbstractBackbone::fillBuffers(const Frame& frame) {
-    if (AoStatus status = geometry_.update(context_, frame, host_); !status) {
+    ViewState& of = view();
+    if (AoStatus status = geometryPass_.update(context_, frame, of.host, of.geometry); !status) {
         return status;
     }
     if (AoStatus status =
-            visibility_.become(context_.gl, {.width = frame.size.x,
-                                             .height = frame.size.y,
-                                             .targets = {gl::RenderToTexture2D::Format::RG32F},
-                                             .label = "aolib/frame/visibility"});
+            of.visibility.become(context_.gl, {.width = frame.size.x,
+                                               .height = frame.size.y,
+                                               .targets = {gl::RenderToTexture2D::Format::RG32F},
+                                               .label = "aolib/frame/visibility"});
         !status) {
         return status;
     }
     const auto projected = computeVisibility(frame);
     if (projected) {
         const BlurOptions& blur = context_.options.blur;
-        if (AoStatus status = blur_.apply(context_, frame, geometry_, **projected,
-                                          blur.enabled && noisy() ? blur.size : 1, visibility_);
+        if (AoStatus status =
+                blur_.apply(context_, frame, of.geometry, **projected,
+                            blur.enabled && noisy() ? blur.size : 1, of.blurredRows, of.visibility);
             !status) {
             return status;
         }
-        fillIn(frame, **projected, visibility_);
-        buffered_ = true;
+        fillIn(frame, **projected, of.visibility);
+        of.buffered = true;
     }
     return projected;
 }
 
 Result<CubeMapId> AbstractBackbone::addCubeMap(const glm::vec3& /*position*/) {
+    return keepsNoCubeMaps();
+}
+AoStatus AbstractBackbone::beginPreparing(std::span<const glm::vec3> /*positions*/) {
+    return keepsNoCubeMaps();
+}
+Result<float> AbstractBackbone::goOnPreparing(double /*milliseconds*/) {
     return keepsNoCubeMaps();
 }
 AoStatus AbstractBackbone::removeCubeMap(CubeMapId /*id*/) {
@@ -124,31 +141,54 @@ Result<CubeMapImage> AbstractBackbone::readCubeMap(CubeMapId /*id*/) {
 }
 
 Result<VisibilityImage> AbstractBackbone::readVisibility() {
-    if (!latest_) {
+    return readVisibility(views_.current());
+}
+
+Result<VisibilityImage> AbstractBackbone::readVisibility(ViewId id) {
+    return readVisibility(views_.find(id));
+}
+
+Result<VisibilityImage> AbstractBackbone::readVisibility(ViewState* view) {
+    if (view == nullptr || !view->latest) {
         return AoStatus(StatusCode::InvalidCallOrder,
-                        "there is no frame to read yet; end one with aoDrawEnd first");
+                        "there is no frame of this view to read; end one with aoDrawEnd first");
     }
-    if (!buffered_) {
-        if (const auto filled = fillBuffers(*latest_); !filled) {
+    if (!view->buffered) {
+        const ViewTable::Visit visit(views_, *view);
+        if (const auto filled = fillBuffers(*view->latest); !filled) {
             return filled.status();
         }
     }
-    VisibilityImage image{visibility_.width(), visibility_.height(), {}};
+    const gl::RenderToTexture2D& from = view->visibility;
+    VisibilityImage image{from.width(), from.height(), {}};
     image.visibility.resize(static_cast<std::size_t>(image.width) *
                             static_cast<std::size_t>(image.height));
-    visibility_.beginRead(0);
+    from.beginRead(0);
     context_.gl.ReadPixels(0, 0, image.width, image.height, GL_RED, GL_FLOAT,
                            image.visibility.data());
     return image;
 }
 
 Statistics AbstractBackbone::statistics() {
+    return statisticsOf(views_.current());
+}
+
+Statistics AbstractBackbone::statistics(ViewId id) {
+    return statisticsOf(views_.find(id));
+}
+
+Statistics AbstractBackbone::statisticsOf(const ViewState* view) {
     Statistics statistics;
     statistics.frame = frame_;
     statistics.frameGpuMs = timer_.milliseconds();
-    statistics.bytesFrame = host_.bytes() + geometry_.bytes() + applied_.bytes() + blur_.bytes() +
-                            (visibility_ ? visibility_.bytes() : 0);
-    addStatistics(statistics);
+    statistics.views = static_cast<int>(views_.all().size());
+    statistics.allConverged = !views_.all().empty();
+    for (const auto& one : views_.all()) {
+        statistics.bytesFrame += one->bytes();
+        statistics.allConverged =
+            statistics.allConverged && (!views_.isRecent(*one) || one->converged());
+    }
+    addStatistics(statistics, view);
     return statistics;
 }
 

@@ -1,15 +1,16 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <aolib/Statistics.h>
 #include <aolib/Status.h>
 
-#include "backbone/AppliedTextures.h"
 #include "backbone/Blur.h"
 #include "backbone/Composite.h"
 #include "backbone/GeometryBuffer.h"
+#include "backbone/ViewTable.h"
 #include "gl/GpuTimer.h"
 
 namespace aolib {
@@ -40,19 +41,34 @@ public:
 
     /// Cube maps; a strategy that keeps none answers InvalidCallOrder.
     virtual Result<CubeMapId> addCubeMap(const glm::vec3& position);
+    /// Places cube maps, unless some stand there already; those placed by hand are to be computed.
+    virtual AoStatus beginPreparing(std::span<const glm::vec3> positions);
+    /// Goes on with them for about as long. @return how much is done; 1 when all is
+    virtual Result<float> goOnPreparing(double milliseconds);
     virtual AoStatus removeCubeMap(CubeMapId id);
     virtual AoStatus clear();
     virtual std::vector<CubeMapInfo> cubeMaps() { return {}; }
     virtual Result<CubeMapImage> readCubeMap(CubeMapId id);
 
-    /// Errors: InvalidCallOrder before the first frame.
+    /// Of the latest frame, of whatever view. Errors: InvalidCallOrder before the first frame.
     Result<VisibilityImage> readVisibility();
+    /// Of the latest frame of a view. Errors: InvalidCallOrder where it had none.
+    Result<VisibilityImage> readVisibility(ViewId id);
     Statistics statistics();
+    Statistics statistics(ViewId id);
+    /// Drops all that is kept for a view.
+    void removeView(ViewId id) { views_.remove(id); }
 
 protected:
-    explicit AbstractBackbone(const BackboneContext& context) : context_(context) {}
+    explicit AbstractBackbone(const BackboneContext& context)
+        : context_(context), views_([this] { return makeView(); }) {}
     /// Builds what all strategies share. Errors: ShaderError, OutOfMemory.
     AoStatus initialise();
+
+    /// What is kept for a view of the host's.
+    virtual std::unique_ptr<ViewState> makeView() { return std::make_unique<ViewState>(); }
+    /// The view of the frame that is drawn.
+    ViewState& view() const { return *views_.current(); }
 
     /// Before anything is drawn: what the frame needs is computed.
     virtual AoStatus prepare(const Frame& /*frame*/) { return {}; }
@@ -70,7 +86,8 @@ protected:
     virtual bool noisy() const { return true; }
     /// After the composite: survey, gizmos.
     virtual AoStatus finishFrame(const Frame& /*frame*/) { return {}; }
-    virtual void addStatistics(Statistics& /*statistics*/) {}
+    /// What was done for a view in its latest frame; null before the first.
+    virtual void addStatistics(Statistics& /*statistics*/, const ViewState* /*view*/) {}
 
     /// Radius in force, world units: the option's, or derived from the scene. A derived one is kept
     /// until the scene's size has changed by a quarter, so that small edits rebuild only what sees
@@ -78,18 +95,20 @@ protected:
     float radius();
 
     const BackboneContext context_;
-    HostFramebuffer host_;
-    GeometryBuffer geometry_; ///< of frames that are not shaded directly
+    ViewTable views_;
 
 private:
-    /// Fills geometry_ and visibility_ for a frame.
-    /// @return what computeVisibility() gave.
+    /// The view that a frame belongs to becomes the current one.
+    void beginView(const Frame& frame) {
+        views_.begin(frame.view, {frame.camera, frame.size, frame.clip});
+    }
+    AoStatus drawView(Frame& frame);
+    /// Fills the current view's buffers for a frame. @return what computeVisibility() gave.
     Result<const gl::RenderToTexture2D*> fillBuffers(const Frame& frame);
+    Result<VisibilityImage> readVisibility(ViewState* view);
+    Statistics statisticsOf(const ViewState* view);
 
-    gl::RenderToTexture2D visibility_; ///< W (-1 background), shaded; size of the frame
-    std::optional<Frame> latest_;      ///< its depth is still in host_
-    bool buffered_ = false;            ///< visibility_ belongs to the latest frame
-    AppliedTextures applied_;
+    GeometryPass geometryPass_;
     Blur blur_;
     Composite composite_;
     gl::GpuTimer timer_;

@@ -24,13 +24,13 @@ Result<Blur> Blur::create(const BackboneContext& context) {
 
 AoStatus Blur::apply(const BackboneContext& context, const Frame& frame,
                      const GeometryBuffer& geometry, const gl::RenderToTexture2D& projected,
-                     int size, const gl::RenderToTexture2D& target) {
+                     int size, gl::RenderToTexture2D& rows, const gl::RenderToTexture2D& target) {
     const gl::DebugGroup group(context.gl, "aolib: blur");
     if (AoStatus status =
-            sums_.become(context.gl, {.width = frame.size.x,
-                                      .height = frame.size.y,
-                                      .targets = {gl::RenderToTexture2D::Format::RG32F},
-                                      .label = "aolib/frame/rows"});
+            rows.become(context.gl, {.width = frame.size.x,
+                                     .height = frame.size.y,
+                                     .targets = {gl::RenderToTexture2D::Format::RG32F},
+                                     .label = "aolib/frame/rows"});
         !status) {
         return status;
     }
@@ -43,8 +43,8 @@ AoStatus Blur::apply(const BackboneContext& context, const Frame& frame,
         shader.set("uHalfSize", size / 2);
         context.generated.drawFullscreen();
     };
-    draw(rows_, sums_);
-    sums_.bindTexture(0, 3);
+    draw(rows_, rows);
+    rows.bindTexture(0, 3);
     columns_.bind();
     columns_.set("uRows", 3);
     draw(columns_, target);

@@ -16,16 +16,15 @@ public:
     /// unshaded.
     /// @param projected  as AbstractBackbone::computeVisibility() gave it.
     /// @param size       pixels along the filter's edge; 1 copies.
+    /// @param rows       holds sums of rows meanwhile; becomes of the frame's size.
     /// Errors: OutOfMemory.
     AoStatus apply(const BackboneContext& context, const Frame& frame,
                    const GeometryBuffer& geometry, const gl::RenderToTexture2D& projected, int size,
-                   const gl::RenderToTexture2D& target);
-    std::size_t bytes() const { return sums_ ? sums_.bytes() : 0; }
+                   gl::RenderToTexture2D& rows, const gl::RenderToTexture2D& target);
 
 private:
     gl::GLSLShader rows_;
     gl::GLSLShader columns_;
-    gl::RenderToTexture2D sums_; ///< of rows; size of the frame
 };
 
 } // namespace aolib

@@ -9,6 +9,7 @@
 #include <aolib/AbstractTexelTracer.h>
 #include <aolib/Options.h>
 #include <aolib/SceneRenderer.h>
+#include <aolib/ViewId.h>
 
 #include "backbone/HostCamera.h"
 #include "gl/Functions.h"
@@ -38,6 +39,7 @@ struct Frame {
     ClipConvention clip;
     bool srgb = false;        ///< the host encodes colours when it writes them
     bool scissor = false;     ///< the host's scissor test is on
+    ViewId view{};            ///< that it belongs to
     bool hostNormals = false; ///< colour 0 of that framebuffer holds the host's normals
 };
 

@@ -5,24 +5,25 @@
 
 namespace aolib {
 
-Result<GeometryBuffer> GeometryBuffer::create(const BackboneContext& context) {
+Result<GeometryPass> GeometryPass::create(const BackboneContext& context) {
     auto shader = buildShader(context.gl, "fullscreen.vert", "frame/geometry_buffer.frag");
     if (!shader) {
         return shader.status();
     }
-    GeometryBuffer buffer;
-    buffer.shader_ = std::move(*shader);
-    return buffer;
+    GeometryPass pass;
+    pass.shader_ = std::move(*shader);
+    return pass;
 }
 
-AoStatus GeometryBuffer::update(const BackboneContext& context, const Frame& frame,
-                                const HostFramebuffer& host) {
+AoStatus GeometryPass::update(const BackboneContext& context, const Frame& frame,
+                              const HostFramebuffer& host, GeometryBuffer& buffer) {
     using Format = gl::RenderToTexture2D::Format;
     const gl::DebugGroup group(context.gl, "aolib: geometry buffer");
-    if (AoStatus status = target_.become(context.gl, {.width = frame.size.x,
-                                                      .height = frame.size.y,
-                                                      .targets = {Format::R32F, Format::RG16F},
-                                                      .label = "aolib/frame/geometry"});
+    gl::RenderToTexture2D& target = buffer.target_;
+    if (AoStatus status = target.become(context.gl, {.width = frame.size.x,
+                                                     .height = frame.size.y,
+                                                     .targets = {Format::R32F, Format::RG16F},
+                                                     .label = "aolib/frame/geometry"});
         !status) {
         return status;
     }
@@ -35,7 +36,7 @@ AoStatus GeometryBuffer::update(const BackboneContext& context, const Frame& fra
         withNormals_ = std::move(*shader);
     }
     gl::GLSLShader& shader = frame.hostNormals ? *withNormals_ : shader_;
-    target_.beginAll();
+    target.beginAll();
     host.bindDepth(0);
     shader.bind();
     shader.set("uDepth", 0);

@@ -13,20 +13,29 @@ namespace aolib {
 /// the normals are the host's where it gives them.
 class GeometryBuffer {
 public:
-    /// Errors: ShaderError, OutOfMemory.
-    static Result<GeometryBuffer> create(const BackboneContext& context);
-    /// Rebuilds it from the host's depth. Errors: OutOfMemory, MissingCapability, ShaderError.
-    AoStatus update(const BackboneContext& context, const Frame& frame,
-                    const HostFramebuffer& host);
     /// Binds both textures and sets the uniforms of shaders/frame/geometry.glsl.
     void bind(gl::GLSLShader& shader, const Frame& frame, int depthUnit, int normalUnit) const;
     std::size_t bytes() const { return target_ ? target_.bytes() : 0; }
 
 private:
+    friend class GeometryPass;
+    gl::RenderToTexture2D target_;
+};
+
+/// Fills geometry buffers.
+class GeometryPass {
+public:
+    /// Errors: ShaderError, OutOfMemory.
+    static Result<GeometryPass> create(const BackboneContext& context);
+    /// Rebuilds a buffer from the host's depth. Errors: OutOfMemory, MissingCapability,
+    /// ShaderError.
+    AoStatus update(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,
+                    GeometryBuffer& buffer);
+
+private:
     gl::GLSLShader shader_;
     std::optional<gl::GLSLShader>
         withNormals_; ///< takes the host's normals; built when first needed
-    gl::RenderToTexture2D target_;
 };
 
 } // namespace aolib

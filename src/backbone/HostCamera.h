@@ -37,6 +37,8 @@ public:
     const glm::dmat3& eyeToWorld() const { return eyeToWorld_; }
     const glm::dmat4& projection() const { return projection_; }
 
+    /// Whether lines of sight are parallel.
+    bool orthographic() const { return projection_[2][3] == 0.0; }
     /// Whether nearer points have the larger depth values.
     bool reversedDepth() const;
     /// A surface that the host's depth buffer shows.

@@ -28,10 +28,14 @@ public:
     ///                      done in any case.
     virtual AoStatus advance(const std::vector<CubeMapProjector*>& projectors,
                              double milliseconds) = 0;
+    /// Waits until advance() has something to do, where others work for it, and at most so long.
+    virtual void await(double /*milliseconds*/) {}
     /// Whether something that is asked for is still to be computed.
     virtual bool lacks(const CubeMapProjector& projector) const {
         return projector.tiles.lacks(passes());
     }
+    /// Whether texels of complete tiles stay as they are, though others are still computed.
+    virtual bool keeps(const CubeMapProjector& /*projector*/) const { return true; }
     /// The scene has changed: marks the tiles for which it has as outdated, and their cube map.
     /// What they show stays.
     /// @param reach  of occluders, world units; may be infinite

@@ -1,7 +1,6 @@
 #include "backbone/cubemapped/BackboneCubemapped.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <utility>
 
@@ -9,16 +8,10 @@
 
 #include "backbone/Estimators.h"
 #include "backbone/cubemapped/Placement.h"
-#include "backbone/cubemapped/TileRequests.h"
 
 namespace aolib {
 
 namespace {
-
-/// From one survey to the next, frames: of a view at rest for which nothing is left to do (the host
-/// may draw what it has not described), and of one that moves.
-constexpr std::uint64_t kSurveyEveryAtRest = 8;
-constexpr std::uint64_t kSurveyEveryMoving = 3;
 
 template <typename Part>
 AoStatus make(std::optional<Part>& part, const BackboneContext& context) {
@@ -27,6 +20,14 @@ AoStatus make(std::optional<Part>& part, const BackboneContext& context) {
         part = std::move(*created);
     }
     return created.status();
+}
+
+/// Said of what is not prepared, at most.
+constexpr float kAlmostPrepared = 0.99F;
+
+AoStatus noScene() {
+    return {StatusCode::NoScene,
+            "there are no triangles to place a cube map among; describe a mesh first"};
 }
 
 AoStatus unknown(CubeMapId id) {
@@ -62,8 +63,7 @@ BackboneCubemapped::create(const BackboneContext& context) {
 
 Result<CubeMapId> BackboneCubemapped::addCubeMap(const glm::vec3& position) {
     if (context_.scene.empty()) {
-        return AoStatus(StatusCode::NoScene,
-                        "there are no triangles to place a cube map among; describe a mesh first");
+        return noScene();
     }
     cubeMaps_.followOptions();
     if (AoStatus status = followScene(); !status) {
@@ -89,6 +89,66 @@ Result<CubeMapId> BackboneCubemapped::place(const glm::vec3& position, bool byHa
     }
     cubeMapsChanged();
     return id;
+}
+
+AoStatus BackboneCubemapped::beginPreparing(std::span<const glm::vec3> positions) {
+    if (context_.scene.empty()) {
+        return noScene();
+    }
+    prepared_ = 0.0F;
+    cubeMaps_.followOptions();
+    if (AoStatus status = followScene(); !status) {
+        return status;
+    }
+    std::vector<CubeMapProjector*> placed;
+    for (const glm::vec3& position : positions) {
+        const auto one = placeToPrepare(position);
+        if (!one) {
+            std::ranges::for_each(placed, [&](auto* added) { cubeMaps_.remove(*added); });
+            return one.status();
+        }
+        if (*one != nullptr) {
+            placed.push_back(*one);
+        }
+    }
+    cubeMapsChanged();
+    return {};
+}
+
+Result<CubeMapProjector*> BackboneCubemapped::placeToPrepare(const glm::vec3& position) {
+    const glm::vec3 at = Placement::freePosition(context_.scene, position);
+    const auto stands = [&](const auto* one) { return one->position() == at; };
+    if (std::ranges::any_of(placedByHand(), stands)) {
+        return nullptr;
+    }
+    if (AoStatus status = cubeMaps_.makeRoomAtOnce(); !status) {
+        return status;
+    }
+    return cubeMaps_.add(at, /*byHand=*/true);
+}
+
+std::vector<CubeMapProjector*> BackboneCubemapped::placedByHand() const {
+    std::vector<CubeMapProjector*> placed;
+    for (const auto& projector : cubeMaps_.all()) {
+        if (projector->use.byHand) {
+            placed.push_back(projector.get());
+        }
+    }
+    return placed;
+}
+
+Result<float> BackboneCubemapped::goOnPreparing(double milliseconds) {
+    const std::vector<CubeMapProjector*> placed = placedByHand();
+    if (AoStatus status = followScene(); !status) {
+        return status;
+    }
+    const auto complete = schedule_.completeSome(placed, milliseconds);
+    if (!complete) {
+        return complete.status();
+    }
+    forEachView([](CubemappedView& one) { one.cubeMapsBegun(); });
+    prepared_ = *complete ? 1.0F : std::max(prepared_, kAlmostPrepared * shareComputed(placed));
+    return prepared_;
 }
 
 AoStatus BackboneCubemapped::removeCubeMap(CubeMapId id) {
@@ -125,12 +185,12 @@ Result<CubeMapImage> BackboneCubemapped::readCubeMap(CubeMapId id) {
 
 void BackboneCubemapped::cubeMapGoes(CubeMapProjector& projector) {
     schedule_.forget(projector.id());
-    std::erase(projected_, &projector);
+    forEachView([&](CubemappedView& one) { one.cubeMapGoes(projector); });
     cubeMapsChanged();
 }
 
 void BackboneCubemapped::dropTracer() {
-    repair_.dropSource();
+    dropSources();
     schedule_.dropTracer();
     if (context_.options.estimator == Estimator::RayTraced) {
         markAllDirty();
@@ -140,10 +200,11 @@ void BackboneCubemapped::dropTracer() {
 // ---- Following the scene and the options --------------------------------------------------------
 
 void BackboneCubemapped::cubeMapsChanged() {
-    survey_->restart();
-    repair_.lookAgain();
-    latestSurvey_.reset();
-    coverageToCome_.reset();
+    forEachView([](CubemappedView& one) { one.cubeMapsChanged(); });
+}
+
+void BackboneCubemapped::restartViews() {
+    forEachView([](CubemappedView& one) { one.restart(); });
 }
 
 void BackboneCubemapped::markAllDirty() {
@@ -168,7 +229,7 @@ void BackboneCubemapped::optionsChanged(const Options& before) {
     }
     if (!sameEstimate(before, context_.options)) { // the radius is watched where it is used
         markAllOutdated();
-        repair_.restart();
+        restartViews();
     }
 }
 
@@ -185,205 +246,16 @@ AoStatus BackboneCubemapped::followScene() {
     }
     if (!changes.empty()) {
         // Receivers up to that far away from a change see a difference.
-        const float reach = occluderReach(context_.options.falloff, radius());
-        schedule_.sceneChanged(cubeMaps_.all(), changes, reach);
-        repair_.sceneChanged(changes, reach);
+        const float within = occluderReach(context_.options.falloff, radius());
+        schedule_.sceneChanged(cubeMaps_.all(), changes, within);
+        forEachView([&](CubemappedView& one) { one.sceneChanged(changes, within); });
     }
     if (const float inForce = radius(); inForce != builtRadius_) {
         builtRadius_ = inForce;
         markAllOutdated();
-        repair_.restart();
+        restartViews();
     }
     return {};
-}
-
-// ---- Frame --------------------------------------------------------------------------------------
-
-AoStatus BackboneCubemapped::placeWhereDue(const Frame& frame) {
-    const CubeMapOptions& options = context_.options.cubeMaps;
-    if (!options.place || context_.scene.empty()) {
-        return {};
-    }
-    std::vector<glm::vec3> positions;
-    for (const auto& projector : cubeMaps_.all()) {
-        positions.push_back(projector->position());
-    }
-    if (!Placement::due(coverageToCome_, options.coverage, frame.position, positions,
-                        context_.scene.bounds().diagonal())) {
-        return {};
-    }
-    return cubeMaps_.makeRoom(Eviction::For::Newcomer, cubeMaps_.nearest(frame.position),
-                              schedule_.atOnce())
-               ? place(frame.position, /*byHand=*/false).status()
-               : AoStatus();
-}
-
-void BackboneCubemapped::heedSurvey(const std::vector<CubeMapProjector*>& projectors) {
-    const auto answer = survey_->poll();
-    if (!answer) {
-        if (framesToSurvey() > 1) { // another would have said about the same
-            Eviction::follow(cubeMaps_.all(), latestSurvey_->best);
-        }
-        return;
-    }
-    latestSurvey_ = answer;
-    shownSurvey_ = *answer;
-    Eviction::follow(cubeMaps_.all(), answer->best);
-    coverageToCome_ = requestTiles(projectors, *answer, cubeMaps_.blocks(), schedule_.passes());
-}
-
-AoStatus BackboneCubemapped::prepare(const Frame& frame) {
-    schedule_.beginFrame();
-    projected_.clear();
-    repairStatus_ = {};
-    cubeMaps_.followOptions();
-    if (AoStatus status = followScene(); !status) {
-        return status;
-    }
-    heedSurvey(cubeMaps_.nearest(frame.position));
-    cubeMaps_.evictWhereDue(cubeMaps_.nearest(frame.position), schedule_.atOnce());
-    if (AoStatus status = placeWhereDue(frame); !status) {
-        return status;
-    }
-    if (context_.scene.empty()) {
-        texelsComplete_ = true;
-        repair(frame); // nothing is left to do, nor shown
-        return {};
-    }
-    const std::vector<CubeMapProjector*> used = cubeMaps_.nearest(frame.position);
-    for (CubeMapProjector* projector : used) {
-        projector->tiles.setFrame(frames_);
-    }
-    if (AoStatus status = schedule_.compute(used); !status) {
-        return status;
-    }
-    if (schedule_.begun() > 0) {
-        repair_.lookAgain();
-    }
-    texelsComplete_ = true;
-    for (CubeMapProjector* projector : used) {
-        if (std::exchange(projector->showsMore, false)) {
-            projector->surveysBefore = frames_;
-        }
-        texelsComplete_ =
-            texelsComplete_ && schedule_.finished(*projector) &&
-            (shownSurvey_.frame > projector->surveysBefore || projector->surveysBefore == 0);
-        if (projector->shown) {
-            projected_.push_back(projector);
-        }
-    }
-    repair(frame);
-    return {};
-}
-
-void BackboneCubemapped::repair(const Frame& frame) {
-    repair_.follow(frame, projected_.empty() ? nullptr : schedule_.pixels());
-    if (texelsComplete_ && repair_.rests() && !repair_.done()) {
-        const double budget = schedule_.atOnce() ? HUGE_VAL : double{context_.options.frameBudget};
-        const RestingView view{
-            .context = context_,
-            .frame = frame,
-            .host = host_,
-            .kept = {cubeMaps_.store(), cubeMaps_.blocks()},
-            .projectors = projected_,
-            .radius = radius(),
-        };
-        repairStatus_ = repair_.advance(view, budget);
-    }
-    const bool before = std::exchange(converged_, texelsComplete_ && repair_.done());
-    if (converged_ && !fallsBack()) {
-        projection_->dropTold();
-    }
-    convergedIn_ = converged_ && !before ? frames_ + 1 : convergedIn_;
-}
-
-KeptTexels BackboneCubemapped::kept() const {
-    return {cubeMaps_.store(), cubeMaps_.blocks(), repair_.repaired()};
-}
-
-bool BackboneCubemapped::shadesDirectly() const {
-    return context_.options.cubeMaps.projection == ProjectionMethod::SinglePass &&
-           !(context_.options.blur.enabled && noisy());
-}
-
-bool BackboneCubemapped::noisy() const {
-    return context_.options.estimator == Estimator::HorizonSplit;
-}
-
-bool BackboneCubemapped::fallsBack() const {
-    const bool any = !projected_.empty();
-    return Fallback::due(context_, any ? shownSurvey_.shaded : 0.0F, any && schedule_.atOnce());
-}
-
-AoStatus BackboneCubemapped::shadeDirectly(const Frame& frame) {
-    if (!fallsBack()) {
-        return projected_.empty() ? AoStatus()
-                                  : projection_->shade(context_, frame, host_, kept(), projected_);
-    }
-    const auto told = projection_->tell(context_, frame, host_, kept(), projected_);
-    if (told) {
-        fallback_->shade(context_, frame, host_, **told, radius());
-    }
-    return told.status();
-}
-
-void BackboneCubemapped::fillIn(const Frame& frame, const gl::RenderToTexture2D& projected,
-                                const gl::RenderToTexture2D& visibility) {
-    if (fallsBack()) {
-        fallback_->fill(context_, frame, host_, projected, radius(), visibility);
-    }
-}
-
-Result<const gl::RenderToTexture2D*> BackboneCubemapped::computeVisibility(const Frame& frame) {
-    return projection_->apply(context_, frame, host_, kept(), projected_);
-}
-
-bool BackboneCubemapped::nothingToSurvey() const {
-    return converged_ && latestSurvey_ && latestSurvey_->frame >= convergedIn_ &&
-           latestSurvey_->frame + repair_.framesAtRest() >= frames_;
-}
-
-std::uint64_t BackboneCubemapped::framesToSurvey() const {
-    if (nothingToSurvey()) {
-        return kSurveyEveryAtRest;
-    }
-    return latestSurvey_ && !repair_.rests() ? kSurveyEveryMoving : 1;
-}
-
-AoStatus BackboneCubemapped::finishFrame(const Frame& frame) {
-    ++frames_;
-    if (frames_ % framesToSurvey() == 0) {
-        survey_->take(context_, frame, host_, {cubeMaps_.store(), cubeMaps_.blocks()}, projected_,
-                      frames_);
-    }
-    if (context_.options.cubeMaps.outlines) {
-        outlines_->draw(context_, frame, cubeMaps_.nearest(frame.position));
-    }
-    return repairStatus_; // the picture is as good as without it
-}
-
-void BackboneCubemapped::addStatistics(Statistics& statistics) {
-    statistics.coverage = shownSurvey_.shaded;
-    statistics.coverageFrame = shownSurvey_.frame;
-    statistics.cubeMapsProjected = static_cast<int>(projected_.size());
-    statistics.cubeMapsBuilt = schedule_.begun();
-    statistics.cubeMapsEvicted = cubeMaps_.evicted();
-    statistics.converged = converged_;
-    statistics.pixelsRepaired = repair_.pixels();
-    const int blockWeight = cubeMaps_.blocks().scale() * cubeMaps_.blocks().scale();
-    TileProgress::Share sum;
-    for (const CubeMapProjector* projector : projected_) {
-        const TileProgress::Share share = projector->tiles.share(schedule_.passes(), blockWeight);
-        sum.done += share.done;
-        sum.needed += share.needed;
-    }
-    statistics.computed = sum.needed > 0
-                              ? static_cast<float>(sum.done) / static_cast<float>(sum.needed)
-                              : statistics.computed;
-    statistics.bytesFrame += projection_->bytes() + repair_.bytes();
-    statistics.bytesScene = sceneGeometry_.bytes();
-    statistics.bytesKept = cubeMaps_.store().bytes();
-    statistics.bytesBuilding = schedule_.bytes();
 }
 
 } // namespace aolib

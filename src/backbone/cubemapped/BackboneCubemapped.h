@@ -9,10 +9,9 @@
 #include "backbone/cubemapped/BuildSchedule.h"
 #include "backbone/cubemapped/CubeMapOutlines.h"
 #include "backbone/cubemapped/CubeMaps.h"
+#include "backbone/cubemapped/CubemappedView.h"
 #include "backbone/cubemapped/Fallback.h"
 #include "backbone/cubemapped/Projection.h"
-#include "backbone/cubemapped/Survey.h"
-#include "backbone/cubemapped/ViewRepair.h"
 
 namespace aolib {
 
@@ -24,11 +23,15 @@ class BackboneCubemapped final : public AbstractBackbone {
 public:
     /// Errors: ShaderError, OutOfMemory.
     static Result<std::unique_ptr<AbstractBackbone>> create(const BackboneContext& context);
+    /// Views go before what they hold on to.
+    ~BackboneCubemapped() override { dropSources(); }
 
     void optionsChanged(const Options& before) override;
     void dropTracer() override;
     void rendererChanged() override { markAllDirty(); }
     Result<CubeMapId> addCubeMap(const glm::vec3& position) override;
+    AoStatus beginPreparing(std::span<const glm::vec3> positions) override;
+    Result<float> goOnPreparing(double milliseconds) override;
     AoStatus removeCubeMap(CubeMapId id) override;
     AoStatus clear() override;
     std::vector<CubeMapInfo> cubeMaps() override;
@@ -49,7 +52,8 @@ private:
                 const gl::RenderToTexture2D& visibility) override;
     bool noisy() const override;
     AoStatus finishFrame(const Frame& frame) override;
-    void addStatistics(Statistics& statistics) override;
+    void addStatistics(Statistics& statistics, const ViewState* view) override;
+    std::unique_ptr<ViewState> makeView() override;
 
     /// Follows the scene: uploads, and marks the cube maps that see a change.
     AoStatus followScene();
@@ -57,29 +61,51 @@ private:
     /// All is to be computed again, and shown until it is.
     void markAllOutdated();
     void cubeMapsChanged();
+    /// What is asked about the scene has changed.
+    void restartViews();
+    /// Reach of occluders, world units; beyond every scene where there is no end to it.
+    float reach();
     /// One is about to go.
     void cubeMapGoes(CubeMapProjector& projector);
     /// Places a cube map; there is room for it.
     Result<CubeMapId> place(const glm::vec3& position, bool byHand);
     /// Places a cube map at the camera if one is due.
     AoStatus placeWhereDue(const Frame& frame);
-    /// The latest survey saw this view, as it is now that nothing is left to compute.
-    bool nothingToSurvey() const;
-    /// From one survey to the next.
-    std::uint64_t framesToSurvey() const;
     /// Takes the survey's answers: coverage, and what cube maps are asked for.
-    void heedSurvey(const std::vector<CubeMapProjector*>& projectors);
+    void heedSurvey(CubemappedView& view);
+    /// Where the frame is seen from, for cube maps to stand.
+    glm::vec3 standpoint(const Frame& frame) const;
+    /// The cube maps of the current view and, after them, of others that are drawn.
+    std::vector<CubeMapProjector*> wanted() const;
+    /// Whether the view's cube maps are complete, as far as it asks for them.
+    bool complete(CubemappedView& view);
+    /// Computes what the view's cube maps lack, as much as the budget allows.
+    AoStatus computeTexels(CubemappedView& view);
+    /// Share of the passes that cube maps need and have had.
+    float shareComputed(const std::vector<CubeMapProjector*>& projectors) const;
+    std::vector<CubeMapProjector*> placedByHand() const;
+    /// Places the one that prepare() asks for. @return null where one stands already
+    Result<CubeMapProjector*> placeToPrepare(const glm::vec3& position);
     /// Computes pixels of a view at rest whose cube maps are complete.
     void repair(const Frame& frame);
-    KeptTexels kept() const;
+    KeptTexels kept();
+    CubemappedView& seen() const { return static_cast<CubemappedView&>(view()); }
+    template <typename Call>
+    void forEachView(const Call& call) const {
+        for (const auto& one : views_.all()) {
+            call(static_cast<CubemappedView&>(*one));
+        }
+    }
+    /// Whoever computes pixels is about to go.
+    void dropSources() const {
+        forEachView([](CubemappedView& one) { one.repair.dropSource(); });
+    }
     /// Whether what no cube map knows is shaded by what is in sight.
     bool fallsBack() const;
 
     SceneGeometry sceneGeometry_;
     CubeMaps cubeMaps_;
     BuildSchedule schedule_;
-    ViewRepair repair_;
-    AoStatus repairStatus_; ///< of the latest frame
     std::optional<Projection> projection_;
     std::optional<Fallback> fallback_;
     std::optional<Survey> survey_;
@@ -87,22 +113,8 @@ private:
 
     float builtRadius_ = 0.0F; ///< that the cube maps which are not dirty were built with
 
-    std::optional<Survey::Answer> latestSurvey_; ///< of the cube maps as they are
-    Survey::Answer shownSurvey_{.frame = 0,
-                                .shaded = -1.0F,
-                                .points = {},
-                                .shades = {},
-                                .footprints = {},
-                                .hiddenFrom = {},
-                                .best = {},
-                                .projected = {}};
-    /// Share of the surfaces that are shaded, or may be by what is on its way.
-    std::optional<float> coverageToCome_;
-    std::uint64_t frames_ = 0;                 ///< ended
-    std::vector<CubeMapProjector*> projected_; ///< in the latest frame
-    bool texelsComplete_ = true;    ///< of the cube maps in use, as far as views ask for them
-    bool converged_ = true;         ///< and nothing is left to repair
-    std::uint64_t convergedIn_ = 0; ///< the frame in which that came true
+    float prepared_ = 0.0F;    ///< of what is prepared, so far
+    std::uint64_t frames_ = 0; ///< ended, of all views
 };
 
 } // namespace aolib

@@ -4,8 +4,6 @@
 #include <chrono>
 
 #include "backbone/Estimators.h"
-#include "backbone/cubemapped/LayeredPixels.h"
-#include "backbone/cubemapped/TracedPixels.h"
 
 namespace aolib {
 
@@ -14,6 +12,11 @@ namespace {
 /// Frames over which a complete cube map comes in: its quality rises from kNewcomer to its own. One
 /// that is to go falls as fast.
 constexpr int kFramesToComeIn = 32;
+
+double millisecondsFrom(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+        .count();
+}
 
 } // namespace
 
@@ -57,27 +60,11 @@ AoStatus BuildSchedule::chooseTexels() {
 }
 
 AoStatus BuildSchedule::choosePixels() {
-    pixels_ = nullptr;
-    const bool traced = tracesPixels();
-    const bool layered = context_.options.estimator == Estimator::LayeredIntervals &&
-                         !context_.scene.meshes().empty() && !context_.renderer;
-    if (!context_.options.cubeMaps.repair || !(traced || layered)) {
-        return {};
-    }
-    std::unique_ptr<AbstractPixelSource>& wanted = traced ? tracedPixels_ : layeredPixels_;
-    if (traced) {
+    const PixelSources::Kind kind = pixelSources_.wanted();
+    if (kind == PixelSources::Kind::Traced) {
         askTracer();
     }
-    if (!wanted) {
-        auto made = traced ? TracedPixels::create(context_, *tracerQueue_)
-                           : LayeredPixels::create(context_, geometry_, raster_->shading());
-        if (!made) {
-            return made.status();
-        }
-        wanted = std::move(*made);
-    }
-    pixels_ = wanted.get();
-    return {};
+    return pixelSources_.choose(kind);
 }
 
 void BuildSchedule::askTracer() {
@@ -85,13 +72,6 @@ void BuildSchedule::askTracer() {
         tracerQueue_ = std::make_unique<TracerQueue>(*context_.tracer);
         tracerQueue_->setScene(context_.scene);
     }
-}
-
-bool BuildSchedule::tracesPixels() const {
-    const Options& options = context_.options;
-    const bool layered = options.estimator == Estimator::LayeredIntervals;
-    return context_.tracer && !context_.scene.meshes().empty() && !context_.renderer &&
-           (options.estimator == Estimator::RayTraced || (layered && raysTell(context_.scene)));
 }
 
 void BuildSchedule::sceneChanged(const std::vector<std::unique_ptr<CubeMapProjector>>& projectors,
@@ -110,9 +90,8 @@ void BuildSchedule::sceneChanged(const std::vector<std::unique_ptr<CubeMapProjec
 
 void BuildSchedule::dropTracer() {
     source_ = nullptr;
-    pixels_ = nullptr;
+    pixelSources_.dropTracer();
     traced_.reset();
-    tracedPixels_.reset();
     tracerQueue_.reset();
 }
 
@@ -139,13 +118,15 @@ AoStatus BuildSchedule::compute(const std::vector<CubeMapProjector*>& projectors
         }
         if (atOnce() && (begins || source_->lacks(*projector))) {
             projector->tiles.askAll();
-            if (AoStatus status = source_->complete(*projector); !status) {
+            if (AoStatus status = complete(*projector); !status) {
                 return status;
             }
         }
         projector->dirty = false;
     }
-    const AoStatus status = atOnce() ? AoStatus() : advance(projectors);
+    const AoStatus status =
+        atOnce() ? AoStatus()
+                 : advance(projectors, static_cast<double>(context_.options.frameBudget));
     for (CubeMapProjector* projector : projectors) {
         bringIn(*projector);
     }
@@ -164,16 +145,48 @@ void BuildSchedule::begin(CubeMapProjector& projector) {
     ++begun_;
 }
 
-AoStatus BuildSchedule::advance(const std::vector<CubeMapProjector*>& projectors) {
+AoStatus BuildSchedule::complete(CubeMapProjector& projector) {
+    const auto start = std::chrono::steady_clock::now();
+    AoStatus status = source_->complete(projector);
+    projector.buildMs += millisecondsFrom(start);
+    return status;
+}
+
+Result<bool> BuildSchedule::completeSome(const std::vector<CubeMapProjector*>& projectors,
+                                         double milliseconds) {
+    if (AoStatus status = chooseSource(); !status) {
+        return status;
+    }
+    for (CubeMapProjector* projector : projectors) {
+        if (projector->dirty || (projector->outdated && source_->mayRestart(*projector))) {
+            begin(*projector);
+            projector->dirty = false;
+        }
+        projector->tiles.askAll();
+    }
+    if (AoStatus status = advance(projectors, milliseconds); !status) {
+        return status;
+    }
+    bool complete = true;
+    for (CubeMapProjector* projector : projectors) {
+        const bool lacks = !projector->shown || projector->outdated || source_->lacks(*projector);
+        projector->bias = lacks ? projector->bias : 0.0F;
+        complete = complete && !lacks;
+    }
+    if (!complete) {
+        source_->await(milliseconds);
+    }
+    return complete;
+}
+
+AoStatus BuildSchedule::advance(const std::vector<CubeMapProjector*>& projectors,
+                                double milliseconds) {
     const auto lacking = std::find_if(projectors.begin(), projectors.end(),
                                       [&](const auto* one) { return source_->lacks(*one); });
     const auto start = std::chrono::steady_clock::now();
-    AoStatus status =
-        source_->advance(projectors, static_cast<double>(context_.options.frameBudget));
+    AoStatus status = source_->advance(projectors, milliseconds);
     if (lacking != projectors.end()) { // the one that is worked on
-        const std::chrono::duration<double, std::milli> spent =
-            std::chrono::steady_clock::now() - start;
-        (*lacking)->buildMs += spent.count();
+        (*lacking)->buildMs += millisecondsFrom(start);
     }
     return status;
 }
@@ -190,9 +203,13 @@ void BuildSchedule::bringIn(CubeMapProjector& projector) const {
     }
 }
 
-bool BuildSchedule::finished(const CubeMapProjector& projector) const {
+bool BuildSchedule::finished(const CubeMapProjector& projector, const AskedTiles& asked) const {
     // One that no survey has looked at yet has not begun.
-    return projector.shown && projector.bias >= 0.0F && !source_->lacks(projector);
+    if (!projector.shown || projector.outdated || projector.bias < 0.0F) {
+        return false;
+    }
+    return !source_->lacks(projector) ||
+           (source_->keeps(projector) && !projector.tiles.lacksAny(asked, passes_));
 }
 
 } // namespace aolib

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "backbone/SceneGeometry.h"
-#include "backbone/cubemapped/AbstractPixelSource.h"
+#include "backbone/cubemapped/PixelSources.h"
 #include "backbone/cubemapped/RasterTexels.h"
 #include "backbone/cubemapped/RayTracedTexels.h"
 
@@ -19,7 +19,7 @@ public:
     BuildSchedule(const BackboneContext& context, const SceneGeometry& geometry, FaceStore& store,
                   BlockStore& blocks, std::function<float()> radius)
         : context_(context), geometry_(geometry), store_(store), blocks_(blocks),
-          radius_(std::move(radius)) {}
+          radius_(std::move(radius)), pixelSources_(context, geometry) {}
 
     /// Makes the sources that the options' estimator takes its texels and pixels from.
     /// Errors: ShaderError, OutOfMemory, MissingCapability.
@@ -31,8 +31,13 @@ public:
                       const std::vector<Scene::Change>& changes, float reach);
     /// The tracer is about to be exchanged.
     void dropTracer();
-    /// What computes the pixels of views at rest; null where texels have to do.
-    AbstractPixelSource* pixels() const { return pixels_; }
+    /// What kind of source computes the pixels of views at rest.
+    PixelSources::Kind pixels() const { return pixelSources_.kind(); }
+    /// One of them. @param slot  of the view.
+    std::unique_ptr<AbstractPixelSource> makePixels(unsigned slot) {
+        return pixelSources_.make(tracerQueue_.get(), raster_ ? &raster_->shading() : nullptr,
+                                  slot);
+    }
     /// Drops what is held for a cube map on its way.
     void forget(CubeMapId id);
     bool atOnce() const { return context_.options.frameBudget <= 0.0F; }
@@ -40,8 +45,12 @@ public:
     /// allows. Lets those that are complete come in over a few frames.
     /// Errors: as chooseSource(), and those of the source.
     AoStatus compute(const std::vector<CubeMapProjector*>& projectors);
-    /// Whether nothing is left to do for a cube map.
-    bool finished(const CubeMapProjector& projector) const;
+    /// Goes on with cube maps, whole, whatever the frame budget, for about as long. Complete ones
+    /// need not come in. @return whether all are complete
+    Result<bool> completeSome(const std::vector<CubeMapProjector*>& projectors,
+                              double milliseconds);
+    /// Whether nothing is left to do for a cube map, as far as one view has asked for it.
+    bool finished(const CubeMapProjector& projector, const AskedTiles& asked) const;
     /// Passes that a tile needs.
     int passes() const { return passes_; }
     void beginFrame() { begun_ = 0; }
@@ -54,9 +63,10 @@ private:
     AoStatus chooseTexels();
     AoStatus choosePixels();
     void askTracer();
-    bool tracesPixels() const;
     void begin(CubeMapProjector& projector);
-    AoStatus advance(const std::vector<CubeMapProjector*>& projectors);
+    /// Computes all of a cube map.
+    AoStatus complete(CubeMapProjector& projector);
+    AoStatus advance(const std::vector<CubeMapProjector*>& projectors, double milliseconds);
     void bringIn(CubeMapProjector& projector) const;
 
     const BackboneContext context_;
@@ -68,9 +78,7 @@ private:
     std::unique_ptr<TracerQueue> tracerQueue_;
     std::unique_ptr<RayTracedTexels> traced_;
     AbstractTexelSource* source_ = nullptr; ///< the one in use
-    std::unique_ptr<AbstractPixelSource> tracedPixels_;
-    std::unique_ptr<AbstractPixelSource> layeredPixels_;
-    AbstractPixelSource* pixels_ = nullptr; ///< the one in use
+    PixelSources pixelSources_;
     int passes_ = 1;
     int begun_ = 0;
 };

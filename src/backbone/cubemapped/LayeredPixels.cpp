@@ -61,9 +61,7 @@ std::vector<glm::ivec2> tilesOf(const glm::ivec2& size) {
 
 } // namespace
 
-Result<std::unique_ptr<AbstractPixelSource>> LayeredPixels::create(const BackboneContext& context,
-                                                                   const SceneGeometry& geometry,
-                                                                   DeferredShading& shading) {
+Result<LayeredPixels::Shared> LayeredPixels::createShared(const BackboneContext& context) {
     auto visibility = buildShader(context.gl, "fullscreen.vert", "cubemap/pixels_layered.frag");
     if (!visibility) {
         return visibility.status();
@@ -76,11 +74,7 @@ Result<std::unique_ptr<AbstractPixelSource>> LayeredPixels::create(const Backbon
     if (!budget) {
         return budget.status();
     }
-    std::unique_ptr<LayeredPixels> pixels(new LayeredPixels(geometry, shading));
-    pixels->visibility_ = std::move(*visibility);
-    pixels->keep_ = std::move(*keep);
-    pixels->budget_ = std::move(*budget);
-    return std::unique_ptr<AbstractPixelSource>(std::move(pixels));
+    return Shared{std::move(*visibility), std::move(*keep), std::move(*budget)};
 }
 
 void LayeredPixels::restart() {
@@ -102,17 +96,17 @@ AoStatus LayeredPixels::advance(const RestingView& view, FoundPixels& found, dou
         }
     }
     if (!toTheEnd && stage_ != Stage::Done) {
-        budget_.beginFrame(milliseconds);
+        shared_.budget.beginFrame(milliseconds);
     }
     while (stage_ != Stage::Done) {
         const WorkUnit unit = next();
-        const int most = toTheEnd ? kMostSlices : budget_.room(unit);
+        const int most = toTheEnd ? kMostSlices : shared_.budget.room(unit);
         if (most == 0 ||
             (!toTheEnd && stage_ == Stage::Capture && work_->around.capture->waits())) {
             break;
         }
         if (!toTheEnd) {
-            budget_.start(unit);
+            shared_.budget.start(unit);
         }
         const auto did = step(view, found, most);
         if (!did) {
@@ -120,7 +114,7 @@ AoStatus LayeredPixels::advance(const RestingView& view, FoundPixels& found, dou
             return did.status();
         }
         if (!toTheEnd) {
-            budget_.done(*did);
+            shared_.budget.done(*did);
         }
     }
     return {};
@@ -230,14 +224,14 @@ void LayeredPixels::accumulate(const RestingView& view, const glm::ivec2& tile, 
     const glm::ivec2 extent = glm::min(kPixelTile, view.frame.size - tile);
     work_->sums.begin(0);
     gl.Viewport(tile.x, tile.y, extent.x, extent.y);
-    visibility_.bind();
-    work_->around.capture->bind(visibility_);
+    shared_.visibility.bind();
+    work_->around.capture->bind(shared_.visibility);
     view.host.bindDepth(kHostDepthUnit);
-    visibility_.set("uDepth", kHostDepthUnit);
-    view.frame.camera.setUniforms(visibility_, view.frame.size, view.frame.clip);
-    visibility_.set("uFirstSlice", first);
-    visibility_.set("uSliceCount", count);
-    setEstimatorUniforms(visibility_, ofPixels(context.options), view.radius);
+    shared_.visibility.set("uDepth", kHostDepthUnit);
+    view.frame.camera.setUniforms(shared_.visibility, view.frame.size, view.frame.clip);
+    shared_.visibility.set("uFirstSlice", first);
+    shared_.visibility.set("uSliceCount", count);
+    setEstimatorUniforms(shared_.visibility, ofPixels(context.options), view.radius);
     gl.Enable(GL_BLEND);
     gl.BlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
     context.generated.drawFullscreen();
@@ -249,11 +243,11 @@ void LayeredPixels::keep(const RestingView& view, const FoundPixels& found,
     const glm::ivec2 extent = glm::min(kPixelTile, view.frame.size - tile);
     found.texture()->begin(0);
     view.context.gl.Viewport(tile.x, tile.y, extent.x, extent.y);
-    keep_.bind();
+    shared_.keep.bind();
     work_->sums.bindTexture(0, kSumsUnit);
     view.host.bindDepth(kHostDepthUnit);
-    keep_.set("uSums", kSumsUnit);
-    keep_.set("uDepth", kHostDepthUnit);
+    shared_.keep.set("uSums", kSumsUnit);
+    shared_.keep.set("uDepth", kHostDepthUnit);
     view.context.generated.drawFullscreen();
 }
 

@@ -15,9 +15,17 @@ namespace aolib {
 /// and views of perspective cameras, of up to four million pixels; in others texels have to do.
 class LayeredPixels final : public AbstractPixelSource {
 public:
-    /// @param geometry, shading  outlive it. Errors: ShaderError, OutOfMemory.
-    static Result<std::unique_ptr<AbstractPixelSource>>
-    create(const BackboneContext& context, const SceneGeometry& geometry, DeferredShading& shading);
+    /// What the sources of all views share.
+    struct Shared {
+        gl::GLSLShader visibility;
+        gl::GLSLShader keep;
+        FrameBudget budget;
+    };
+    /// Errors: ShaderError, OutOfMemory.
+    static Result<Shared> createShared(const BackboneContext& context);
+    /// All outlive it.
+    LayeredPixels(Shared& shared, const SceneGeometry& geometry, DeferredShading& shading)
+        : shared_(shared), geometry_(geometry), shading_(shading) {}
 
     void restart() override;
     void lookAgain() override {} // what other cube maps know is not asked
@@ -36,9 +44,6 @@ private:
         int slices = 0;                ///< that the next one has had
     };
 
-    LayeredPixels(const SceneGeometry& geometry, DeferredShading& shading)
-        : geometry_(geometry), shading_(shading) {}
-
     WorkUnit next() const;
     /// Does units of the next kind, `most` at most. @return how many.
     Result<int> step(const RestingView& view, FoundPixels& found, int most);
@@ -48,11 +53,9 @@ private:
     void accumulate(const RestingView& view, const glm::ivec2& tile, int first, int count);
     void keep(const RestingView& view, const FoundPixels& found, const glm::ivec2& tile);
 
+    Shared& shared_;
     const SceneGeometry& geometry_;
     DeferredShading& shading_;
-    FrameBudget budget_;
-    gl::GLSLShader visibility_;
-    gl::GLSLShader keep_;
     Stage stage_ = Stage::Begin;
     std::optional<Work> work_;
 };

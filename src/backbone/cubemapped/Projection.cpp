@@ -92,6 +92,7 @@ void Projection::bind(gl::GLSLShader& shader, const Frame& frame, const HostFram
     }
     kept.faces.bind(shader, kVisibilityUnit, kCubeDepthUnit);
     kept.faces.bindPages(shader, kPagesUnit);
+    shader.set("uReach", kept.reach);
     shader.set("uBlockScale", kept.blocks.scale());
     std::vector<glm::vec4> toEye;
     std::vector<glm::vec4> codes;
@@ -117,10 +118,11 @@ void Projection::bindHalf(gl::GLSLShader& shader, const Frame& frame, const Host
 
 Result<gl::GLSLShader*> Projection::bindShade(const BackboneContext& context, const Frame& frame,
                                               const HostFramebuffer& host, const KeptTexels& kept,
-                                              const std::vector<CubeMapProjector*>& projectors) {
+                                              const std::vector<CubeMapProjector*>& projectors,
+                                              ProjectedPictures& pictures) {
     gl::GLSLShader* shader = &variant(shade_, kept);
     if (context.options.cubeMaps.halfResolution) {
-        const auto half = project(context, frame, host, kept, projectors);
+        const auto half = project(context, frame, host, kept, projectors, pictures);
         if (!half) {
             return half.status();
         }
@@ -134,9 +136,10 @@ Result<gl::GLSLShader*> Projection::bindShade(const BackboneContext& context, co
 
 AoStatus Projection::shade(const BackboneContext& context, const Frame& frame,
                            const HostFramebuffer& host, const KeptTexels& kept,
-                           const std::vector<CubeMapProjector*>& projectors) {
+                           const std::vector<CubeMapProjector*>& projectors,
+                           ProjectedPictures& pictures) {
     const gl::DebugGroup group(context.gl, "aolib: project and blend");
-    const auto shader = bindShade(context, frame, host, kept, projectors);
+    const auto shader = bindShade(context, frame, host, kept, projectors, pictures);
     if (!shader) {
         return shader.status();
     }
@@ -151,18 +154,19 @@ AoStatus Projection::shade(const BackboneContext& context, const Frame& frame,
 
 Result<const gl::RenderToTexture2D*>
 Projection::tell(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,
-                 const KeptTexels& kept, const std::vector<CubeMapProjector*>& projectors) {
+                 const KeptTexels& kept, const std::vector<CubeMapProjector*>& projectors,
+                 ProjectedPictures& pictures) {
     const gl::DebugGroup group(context.gl, "aolib: project");
     if (AoStatus status =
-            told_.become(context.gl, {.width = frame.size.x,
-                                      .height = frame.size.y,
-                                      .targets = {gl::RenderToTexture2D::Format::R32F},
-                                      .depth = gl::RenderToTexture2D::Depth::Depth16,
-                                      .label = "aolib/frame/told"});
+            pictures.told.become(context.gl, {.width = frame.size.x,
+                                              .height = frame.size.y,
+                                              .targets = {gl::RenderToTexture2D::Format::R32F},
+                                              .depth = gl::RenderToTexture2D::Depth::Depth16,
+                                              .label = "aolib/frame/told"});
         !status) {
         return status;
     }
-    const auto shader = bindShade(context, frame, host, kept, projectors);
+    const auto shader = bindShade(context, frame, host, kept, projectors, pictures);
     if (!shader) {
         return shader.status();
     }
@@ -172,7 +176,7 @@ Projection::tell(const BackboneContext& context, const Frame& frame, const HostF
     (*shader)->set("uOrigin", glm::ivec2(0));
     (*shader)->set("uContrast", 1.0F);
     (*shader)->set("uKnownAlone", 1);
-    told_.begin(0);
+    pictures.told.begin(0);
     gl.ClearBufferfv(GL_COLOR, 0, kUnknown);
     gl.ClearBufferfv(GL_DEPTH, 0, &kFar);
     gl.Enable(GL_DEPTH_TEST);
@@ -180,7 +184,7 @@ Projection::tell(const BackboneContext& context, const Frame& frame, const HostF
     context.generated.drawFullscreen();
     gl.DepthFunc(GL_LESS);
     gl.Disable(GL_DEPTH_TEST);
-    return &told_;
+    return &pictures.told;
 }
 
 AoStatus Projection::prepare(const BackboneContext& context, const glm::ivec2& size,
@@ -193,12 +197,13 @@ AoStatus Projection::prepare(const BackboneContext& context, const glm::ivec2& s
 
 Result<const gl::RenderToTexture2D*>
 Projection::project(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,
-                    const KeptTexels& kept, const std::vector<CubeMapProjector*>& projectors) {
+                    const KeptTexels& kept, const std::vector<CubeMapProjector*>& projectors,
+                    ProjectedPictures& pictures) {
     const int cubes = static_cast<int>(projectors.size());
     const int stride = context.options.cubeMaps.halfResolution ? 2 : 1;
     const bool single = context.options.cubeMaps.projection == ProjectionMethod::SinglePass;
     const int perPass = single ? std::max(cubes, 1) : 1;
-    for (gl::RenderToTexture2D& target : best_) {
+    for (gl::RenderToTexture2D& target : pictures.best) {
         if (AoStatus status = prepare(context, (frame.size + stride - 1) / stride, target);
             !status) {
             return status;
@@ -213,7 +218,8 @@ Projection::project(const BackboneContext& context, const Frame& frame, const Ho
     shader.set("uStride", stride);
     const gl::RenderToTexture2D* best = nullptr;
     for (int first = 0; first == 0 || first < cubes; first += perPass) {
-        const gl::RenderToTexture2D* next = best == &best_[0] ? &best_[1] : &best_[0];
+        const gl::RenderToTexture2D* next =
+            best == &pictures.best[0] ? &pictures.best[1] : &pictures.best[0];
         next->begin(0);
         if (best != nullptr) {
             best->bindTexture(0, kBestUnit);
@@ -229,25 +235,26 @@ Projection::project(const BackboneContext& context, const Frame& frame, const Ho
 
 Result<const gl::RenderToTexture2D*>
 Projection::apply(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,
-                  const KeptTexels& kept, const std::vector<CubeMapProjector*>& projectors) {
+                  const KeptTexels& kept, const std::vector<CubeMapProjector*>& projectors,
+                  ProjectedPictures& pictures) {
     const gl::DebugGroup group(context.gl, "aolib: project cube maps");
-    const auto projected = project(context, frame, host, kept, projectors);
+    const auto projected = project(context, frame, host, kept, projectors, pictures);
     if (!projected || !context.options.cubeMaps.halfResolution) {
         return projected;
     }
-    if (AoStatus status = prepare(context, frame.size, upsampled_); !status) {
+    if (AoStatus status = prepare(context, frame.size, pictures.upsampled); !status) {
         return status;
     }
     gl::GLSLShader& shader = upsample_[kept.repaired == nullptr ? 0 : 1];
     bindHalf(shader, frame, host, kept, **projected);
-    upsampled_.begin(0);
+    pictures.upsampled.begin(0);
     context.generated.drawFullscreen();
-    return &upsampled_;
+    return &pictures.upsampled;
 }
 
-std::size_t Projection::bytes() const {
-    std::size_t sum = (upsampled_ ? upsampled_.bytes() : 0) + (told_ ? told_.bytes() : 0);
-    for (const gl::RenderToTexture2D& target : best_) {
+std::size_t ProjectedPictures::bytes() const {
+    std::size_t sum = (upsampled ? upsampled.bytes() : 0) + (told ? told.bytes() : 0);
+    for (const gl::RenderToTexture2D& target : best) {
         sum += target ? target.bytes() : 0;
     }
     return sum;

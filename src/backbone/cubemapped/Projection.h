@@ -9,10 +9,20 @@
 
 namespace aolib {
 
+/// Pictures of the view's size that projections leave.
+struct ProjectedPictures {
+    std::array<gl::RenderToTexture2D, 2> best; ///< Projection::apply()'s, to and fro
+    gl::RenderToTexture2D told;                ///< Projection::tell()'s
+    gl::RenderToTexture2D upsampled;           ///< of frames with buffers at half resolution
+
+    std::size_t bytes() const;
+};
+
 /// What all cube maps keep, and what was traced for the view.
 struct KeptTexels {
     const FaceStore& faces;
     const BlockStore& blocks;
+    float reach; ///< of occluders, world units: coarser texels know no surface
     const gl::TextureStack* repaired = nullptr; ///< ViewRepair's, of the view at rest
 };
 
@@ -31,24 +41,23 @@ public:
     /// Darkens the host's picture: in a single pass, or two at half resolution. Errors:
     /// OutOfMemory.
     AoStatus shade(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,
-                   const KeptTexels& kept, const std::vector<CubeMapProjector*>& projectors);
+                   const KeptTexels& kept, const std::vector<CubeMapProjector*>& projectors,
+                   ProjectedPictures& pictures);
 
     /// W into a target instead, with a depth that fullscreen passes fail by GL_LESS; -1, and no
     /// such depth, for background and where no cube map knows the surface. Errors: OutOfMemory.
     Result<const gl::RenderToTexture2D*> tell(const BackboneContext& context, const Frame& frame,
                                               const HostFramebuffer& host, const KeptTexels& kept,
-                                              const std::vector<CubeMapProjector*>& projectors);
-
-    /// Gives that target back.
-    void dropTold() { told_ = {}; }
+                                              const std::vector<CubeMapProjector*>& projectors,
+                                              ProjectedPictures& pictures);
 
     /// The same into a target whose texture 0 holds, per pixel, the weighted sum of W, log2 of
     /// quality, the face's code and the weight; in one pass, or to and fro between two targets.
     /// Errors: OutOfMemory.
     Result<const gl::RenderToTexture2D*> apply(const BackboneContext& context, const Frame& frame,
                                                const HostFramebuffer& host, const KeptTexels& kept,
-                                               const std::vector<CubeMapProjector*>& projectors);
-    std::size_t bytes() const;
+                                               const std::vector<CubeMapProjector*>& projectors,
+                                               ProjectedPictures& pictures);
 
 private:
     static AoStatus prepare(const BackboneContext& context, const glm::ivec2& size,
@@ -57,12 +66,14 @@ private:
     Result<const gl::RenderToTexture2D*> project(const BackboneContext& context, const Frame& frame,
                                                  const HostFramebuffer& host,
                                                  const KeptTexels& kept,
-                                                 const std::vector<CubeMapProjector*>& projectors);
+                                                 const std::vector<CubeMapProjector*>& projectors,
+                                                 ProjectedPictures& pictures);
     /// Binds the shader that gives the host's picture its factors, after what it needs.
     /// Errors: OutOfMemory.
     Result<gl::GLSLShader*> bindShade(const BackboneContext& context, const Frame& frame,
                                       const HostFramebuffer& host, const KeptTexels& kept,
-                                      const std::vector<CubeMapProjector*>& projectors);
+                                      const std::vector<CubeMapProjector*>& projectors,
+                                      ProjectedPictures& pictures);
     static void bindHalf(gl::GLSLShader& shader, const Frame& frame, const HostFramebuffer& host,
                          const KeptTexels& kept, const gl::RenderToTexture2D& half);
 
@@ -74,9 +85,6 @@ private:
     Variants shade_;
     std::array<gl::GLSLShader, 2> shadeHalf_; ///< without and with repaired pixels
     std::array<gl::GLSLShader, 2> upsample_;
-    std::array<gl::RenderToTexture2D, 2> best_;
-    gl::RenderToTexture2D told_;      ///< tell()'s
-    gl::RenderToTexture2D upsampled_; ///< of frames with buffers at half resolution
 };
 
 } // namespace aolib

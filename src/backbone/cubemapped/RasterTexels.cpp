@@ -1,7 +1,6 @@
 #include "backbone/cubemapped/RasterTexels.h"
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 #include "backbone/Estimators.h"
@@ -106,6 +105,11 @@ bool RasterTexels::lacks(const CubeMapProjector& projector) const {
            (work != works_.end() && !work->second.toKeep.empty());
 }
 
+bool RasterTexels::keeps(const CubeMapProjector& projector) const {
+    const auto work = works_.find(projector.id());
+    return work == works_.end() || work->second.toKeep.empty();
+}
+
 bool RasterTexels::capturing(CubeMapId id) const {
     const auto work = works_.find(id);
     return work != works_.end() && !work->second.capture.ready;
@@ -114,7 +118,6 @@ bool RasterTexels::capturing(CubeMapId id) const {
 // ---- At once ------------------------------------------------------------------------------------
 
 AoStatus RasterTexels::complete(CubeMapProjector& projector) {
-    const auto start = std::chrono::steady_clock::now();
     projector.timer.begin();
     const auto work = begin(projector);
     if (!work) {
@@ -147,8 +150,6 @@ AoStatus RasterTexels::complete(CubeMapProjector& projector) {
     projector.shown = true;
     projector.timer.end();
     forget(projector.id());
-    projector.buildMs =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     return {};
 }
 

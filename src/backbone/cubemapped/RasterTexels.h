@@ -32,6 +32,7 @@ public:
     AoStatus advance(const std::vector<CubeMapProjector*>& projectors,
                      double milliseconds) override;
     bool lacks(const CubeMapProjector& projector) const override;
+    bool keeps(const CubeMapProjector& projector) const override;
     void sceneChanged(CubeMapProjector& projector, const Scene::Change& change,
                       float reach) override;
     bool mayRestart(const CubeMapProjector& projector) const override;

@@ -31,6 +31,7 @@ public:
     AoStatus complete(CubeMapProjector& projector) override;
     AoStatus advance(const std::vector<CubeMapProjector*>& projectors,
                      double milliseconds) override;
+    void await(double milliseconds) override { queue_.wait(milliseconds); }
     bool lacks(const CubeMapProjector& projector) const override;
     void sceneChanged(CubeMapProjector& projector, const Scene::Change& change,
                       float reach) override;

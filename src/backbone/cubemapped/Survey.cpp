@@ -38,22 +38,34 @@ Result<Survey> Survey::create(const BackboneContext& context) {
     Survey survey;
     survey.shader_ = std::move(*shader);
     survey.target_ = std::move(*target);
-    for (Request& request : survey.requests_) {
+    return survey;
+}
+
+AoStatus Survey::makeReadbacks(const BackboneContext& context, PendingSurveys& of) const {
+    std::vector<PendingSurveys::Request> requests(kMost);
+    for (PendingSurveys::Request& request : requests) {
         auto readback =
-            gl::PixelReadback::create(context.gl, survey.target_.bytes(), "aolib/survey/readback");
+            gl::PixelReadback::create(context.gl, target_.bytes(), "aolib/survey/readback");
         if (!readback) {
             return readback.status();
         }
         request.readback = std::move(*readback);
     }
-    return survey;
+    of.requests_ = std::move(requests);
+    return {};
 }
 
-void Survey::take(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,
-                  const KeptTexels& kept, const std::vector<CubeMapProjector*>& projectors,
-                  std::uint64_t frameNumber) {
+AoStatus Survey::take(const BackboneContext& context, const Frame& frame,
+                      const HostFramebuffer& host, const KeptTexels& kept,
+                      const std::vector<CubeMapProjector*>& projectors, std::uint64_t frameNumber,
+                      PendingSurveys& into) {
     const gl::DebugGroup group(context.gl, "aolib: survey");
-    for (Request& request : requests_) {
+    if (into.requests_.empty()) {
+        if (AoStatus status = makeReadbacks(context, into); !status) {
+            return status;
+        }
+    }
+    for (PendingSurveys::Request& request : into.requests_) {
         if (request.readback.pending()) {
             continue;
         }
@@ -69,19 +81,21 @@ void Survey::take(const BackboneContext& context, const Frame& frame, const Host
         for (const CubeMapProjector* projector : projectors) {
             request.cubeMaps.push_back(projector->id());
         }
-        return;
+        break;
     }
+    return {};
 }
 
-Survey::Answer Survey::evaluate(const Request& request, std::span<const std::uint8_t> pixels) {
-    Answer answer{.frame = request.frame,
-                  .eye = request.eye,
-                  .points = {},
-                  .shades = {},
-                  .footprints = {},
-                  .hiddenFrom = {},
-                  .best = {},
-                  .projected = request.cubeMaps};
+SurveyAnswer PendingSurveys::evaluate(const Request& request,
+                                      std::span<const std::uint8_t> pixels) {
+    SurveyAnswer answer{.frame = request.frame,
+                        .eye = request.eye,
+                        .points = {},
+                        .shades = {},
+                        .footprints = {},
+                        .hiddenFrom = {},
+                        .best = {},
+                        .projected = request.cubeMaps};
     std::vector<std::size_t> shadedBy(request.cubeMaps.size() + 1, 0);
     std::size_t shaded = 0;
     answer.points.reserve(pixels.size() / sizeof(glm::vec4));
@@ -106,6 +120,8 @@ Survey::Answer Survey::evaluate(const Request& request, std::span<const std::uin
     answer.shaded = answer.points.empty()
                         ? 1.0F
                         : static_cast<float>(shaded) / static_cast<float>(answer.points.size());
+    answer.surfaces = static_cast<float>(answer.points.size()) /
+                      static_cast<float>(pixels.size() / sizeof(glm::vec4));
     for (std::size_t i = 0; i < request.cubeMaps.size(); ++i) {
         if (shadedBy[i] > 0) {
             answer.best[request.cubeMaps[i]] =
@@ -115,8 +131,8 @@ Survey::Answer Survey::evaluate(const Request& request, std::span<const std::uin
     return answer;
 }
 
-std::optional<Survey::Answer> Survey::poll() {
-    std::optional<Answer> newest;
+std::optional<SurveyAnswer> PendingSurveys::poll() {
+    std::optional<SurveyAnswer> newest;
     for (Request& request : requests_) {
         request.readback.poll([&](std::span<const std::uint8_t> pixels) {
             if (!newest || request.frame > newest->frame) {
@@ -127,7 +143,7 @@ std::optional<Survey::Answer> Survey::poll() {
     return newest;
 }
 
-void Survey::restart() {
+void PendingSurveys::restart() {
     for (Request& request : requests_) {
         request.readback.cancel();
     }

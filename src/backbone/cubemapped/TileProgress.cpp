@@ -50,15 +50,22 @@ std::vector<int> TileProgress::within(int face, const glm::vec2& low, const glm:
     return found;
 }
 
-void TileProgress::ask(int face, const glm::vec2& at, int perBlock) {
+void TileProgress::ask(int face, const glm::vec2& at, int perBlock, AskedTiles* by) {
+    if (by != nullptr) {
+        by->resize(tiles_.size());
+    }
     const int lastColumn = along(at.x + kNear);
     const int lastRow = along(at.y + kNear);
     const int firstColumn = along(at.x - kNear);
     for (int row = along(at.y - kNear); row <= lastRow; ++row) {
         for (int column = firstColumn; column <= lastColumn; ++column) {
-            Tile& tile =
-                tiles_[static_cast<std::size_t>((face * perEdge_ + row) * perEdge_ + column)];
+            const auto number =
+                static_cast<std::size_t>((face * perEdge_ + row) * perEdge_ + column);
+            Tile& tile = tiles_[number];
             tile.asked = true;
+            if (by != nullptr) {
+                (*by)[number] = true;
+            }
             if (perBlock > 0 && tile.blockPasses >= perBlock * tile.blocksAsked) {
                 tile.blocksAsked = static_cast<std::uint8_t>(std::min(tile.blocksAsked + 1, 255));
             }
@@ -146,6 +153,16 @@ bool TileProgress::lacksUndisturbed(int passes) const {
     return std::ranges::any_of(tiles_, [&](const Tile& tile) {
         return tile.asked && !tile.disturbed && tile.passes < passes;
     });
+}
+
+bool TileProgress::lacksAny(const AskedTiles& tiles, int passes) const {
+    for (std::size_t i = 0; i < std::min(tiles.size(), tiles_.size()); ++i) {
+        const Tile& tile = tiles_[i];
+        if (tiles[i] && (tile.passes < passes || tile.blockPasses < passes * tile.blocksNeeded())) {
+            return true;
+        }
+    }
+    return false;
 }
 
 std::vector<int> TileProgress::mostUrgent(int most) const {

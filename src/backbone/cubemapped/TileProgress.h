@@ -10,6 +10,9 @@ namespace aolib {
 
 inline constexpr int kFaces = 6;
 
+/// Which tiles of a cube map one view has asked for, by their numbers; empty for none.
+using AskedTiles = std::vector<bool>;
+
 /// Which tiles of a cube map some view has asked for, and how far each has been computed, in passes
 /// of whatever computes it. No GL.
 class TileProgress {
@@ -36,7 +39,8 @@ public:
     /// @param at        texels
     /// @param perBlock  passes that blocks need; where they are more than 0, for a block, too: the
     ///                  first, or one more than there are complete
-    void ask(int face, const glm::vec2& at, int perBlock = 0);
+    /// @param by        who asks notes the tiles here, if anywhere
+    void ask(int face, const glm::vec2& at, int perBlock = 0, AskedTiles* by = nullptr);
     void askAll();
     /// The tile that a point of a face lies in. @param at  texels
     int tileAt(int face, const glm::vec2& at) const;
@@ -64,6 +68,8 @@ public:
     bool lacks(int passes) const;
     /// The same of tiles that no change of the scene has made begin again.
     bool lacksUndisturbed(int passes) const;
+    /// Whether some of these tiles has had fewer passes than this, or lacks some of its blocks.
+    bool lacksAny(const AskedTiles& tiles, int passes) const;
     /// The tiles that are asked for and have had the fewest passes, below `most`.
     std::vector<int> mostUrgent(int most) const;
     // ---- Blocks: what a tile keeps beside its texels (BlockStore) where a view asks for it.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/geometric.hpp>
+
 #include "shared/cube_faces.h"
 
 namespace aolib {
@@ -13,8 +15,9 @@ namespace {
 constexpr float kCoarse = 1.25F;
 
 /// The same for one cube map. @param covered  by point; set for those that it may shade yet.
-void requestTilesOf(CubeMapProjector& projector, const Survey::Answer& answer,
-                    const BlockStore& blocks, int passes, std::vector<bool>& covered) {
+void requestTilesOf(CubeMapProjector& projector, const SurveyAnswer& answer,
+                    const BlockStore& blocks, int passes, AskedTiles& asked,
+                    std::vector<bool>& covered) {
     const bool ofHidden = blocks.scale() == 1;
     const bool recent = answer.frame > projector.surveysBefore;
     const bool seen = std::ranges::count(answer.projected, projector.id()) > 0;
@@ -33,7 +36,7 @@ void requestTilesOf(CubeMapProjector& projector, const Survey::Answer& answer,
         const bool hidden = ofHidden && answer.hiddenFrom[i] == projector.id();
         const bool block =
             ofHidden ? recent && hidden : 1.0F > kCoarse * answer.footprints[i] * perUnit;
-        tiles.ask(face, at, block && blocks.fits() ? passes : 0);
+        tiles.ask(face, at, block && blocks.fits() ? passes : 0, &asked);
         if (!covered[i]) {
             const int tile = tiles.tileAt(face, at);
             covered[i] = !seen || !tiles.begunBefore(tile, answer.frame) ||
@@ -42,17 +45,42 @@ void requestTilesOf(CubeMapProjector& projector, const Survey::Answer& answer,
     }
 }
 
+/// The point nearest to the middle of those that are not covered.
+std::optional<glm::vec3> missingOf(const SurveyAnswer& answer, const std::vector<bool>& covered) {
+    glm::dvec3 sum(0.0);
+    double count = 0.0;
+    for (std::size_t i = 0; i < covered.size(); ++i) {
+        if (!covered[i]) {
+            sum += glm::dvec3(answer.points[i]);
+            count += 1.0;
+        }
+    }
+    std::optional<glm::vec3> nearest;
+    const glm::vec3 middle(sum / std::max(count, 1.0));
+    for (std::size_t i = 0; i < covered.size(); ++i) {
+        if (!covered[i] && (!nearest || glm::distance(answer.points[i], middle) <
+                                            glm::distance(*nearest, middle))) {
+            nearest = answer.points[i];
+        }
+    }
+    return nearest ? std::optional(glm::vec3(answer.eye + glm::dvec3(*nearest))) : nearest;
+}
+
 } // namespace
 
-float requestTiles(const std::vector<CubeMapProjector*>& projectors, const Survey::Answer& answer,
-                   const BlockStore& blocks, int passes) {
+RequestedTiles requestTiles(const std::vector<CubeMapProjector*>& projectors,
+                            const SurveyAnswer& answer, const BlockStore& blocks, int passes,
+                            std::map<CubeMapId, AskedTiles>& asked) {
     std::vector<bool> covered = answer.shades;
     for (CubeMapProjector* projector : projectors) {
-        requestTilesOf(*projector, answer, blocks, passes, covered);
+        requestTilesOf(*projector, answer, blocks, passes, asked[projector->id()], covered);
     }
-    return covered.empty() ? 1.0F
-                           : static_cast<float>(std::ranges::count(covered, true)) /
-                                 static_cast<float>(covered.size());
+    if (covered.empty()) {
+        return {};
+    }
+    return {static_cast<float>(std::ranges::count(covered, true)) /
+                static_cast<float>(covered.size()),
+            missingOf(answer, covered)};
 }
 
 } // namespace aolib

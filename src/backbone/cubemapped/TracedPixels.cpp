@@ -24,27 +24,18 @@ constexpr double kReach = 0.25;
 /// texels about a point are.
 constexpr int kRaysPerTexelRay = 4;
 
-constexpr auto kAsker = TracerQueue::Asker::Pixels;
-
 } // namespace
 
-Result<std::unique_ptr<AbstractPixelSource>> TracedPixels::create(const BackboneContext& context,
-                                                                  TracerQueue& queue) {
-    auto shader = buildShader(context.gl, "fullscreen.vert", "cubemap/doubt.frag", {"AO_BLOCKS"});
-    if (!shader) {
-        return shader.status();
-    }
-    std::unique_ptr<TracedPixels> pixels(new TracedPixels(queue));
-    pixels->shader_ = std::move(*shader);
-    return std::unique_ptr<AbstractPixelSource>(std::move(pixels));
+Result<gl::GLSLShader> TracedPixels::createShader(const BackboneContext& context) {
+    return buildShader(context.gl, "fullscreen.vert", "cubemap/doubt.frag", {"AO_BLOCKS"});
 }
 
 void TracedPixels::restart() {
     if (phase_ == Phase::Tracing) {
-        queue_.drop(kAsker);
+        queue_.drop(asker_);
     }
     phase_ = Phase::Waiting;
-    ++generation_;
+    generation_ = queue_.nextGeneration();
     doubt_ = {};
     readback_ = {};
     tiles_.clear();
@@ -76,13 +67,13 @@ AoStatus TracedPixels::trace(const RestingView& view, FoundPixels& found, double
     const auto start = std::chrono::steady_clock::now();
     const bool toTheEnd = std::isinf(milliseconds);
     while (phase_ == Phase::Tracing) {
-        if (queue_.pending(kAsker) == 0) {
-            queue_.request(kAsker, requests(view));
+        if (queue_.pending(asker_) == 0) {
+            queue_.request(asker_, requests(view));
         }
         if (toTheEnd) {
             queue_.wait(1000.0);
         }
-        const std::vector<TracedTexels> results = queue_.take(kAsker, 1);
+        const std::vector<TracedTexels> results = queue_.take(asker_, 1);
         if (!queue_.status()) {
             return queue_.status();
         }

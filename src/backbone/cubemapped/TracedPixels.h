@@ -16,9 +16,14 @@ namespace aolib {
 /// lines of sight.
 class TracedPixels final : public AbstractPixelSource {
 public:
-    /// @param queue  outlives it. Errors: ShaderError.
-    static Result<std::unique_ptr<AbstractPixelSource>> create(const BackboneContext& context,
-                                                               TracerQueue& queue);
+    /// Finds the doubtful pixels of all views. Errors: ShaderError.
+    static Result<gl::GLSLShader> createShader(const BackboneContext& context);
+    /// @param shader, queue  outlive it.
+    /// @param slot           of the view, which none else has.
+    TracedPixels(gl::GLSLShader& shader, TracerQueue& queue, unsigned slot)
+        : queue_(queue), asker_(TracerQueue::pixelsOf(slot)), shader_(shader),
+          generation_(queue.nextGeneration()) {}
+    ~TracedPixels() override { TracedPixels::restart(); }
 
     void restart() override;
     void lookAgain() override { restart(); }
@@ -34,8 +39,6 @@ private:
         float depth;   ///< as the host's depth buffer has it
     };
 
-    explicit TracedPixels(TracerQueue& queue) : queue_(queue) {}
-
     /// Draws where the cube maps leave a doubt, and starts reading it back.
     AoStatus ask(const RestingView& view);
     /// Sorts the doubtful pixels into tiles.
@@ -46,10 +49,11 @@ private:
     void take(const TracedTexels& traced, const glm::ivec2& size, FoundPixels& found);
 
     TracerQueue& queue_;
-    gl::GLSLShader shader_;
+    const TracerQueue::Asker asker_;
+    gl::GLSLShader& shader_;
     Phase phase_ = Phase::Waiting;
-    std::uint32_t generation_ = 0; ///< results of another are out of date
-    gl::RenderToTexture2D doubt_;  ///< while it is read back
+    std::uint32_t generation_;    ///< results of another are out of date
+    gl::RenderToTexture2D doubt_; ///< while it is read back
     gl::PixelReadback readback_;
     std::vector<std::vector<Pixel>> tiles_; ///< doubtful pixels; empty once they are traced
 };

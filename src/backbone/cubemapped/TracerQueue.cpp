@@ -10,10 +10,25 @@ namespace aolib {
 
 namespace {
 
-constexpr unsigned kAskerBit = 63;
+using Asker = TracerQueue::Asker;
 
-std::size_t numberOf(TracerQueue::Asker asker) {
-    return static_cast<std::size_t>(asker);
+/// Set in the keys of pixels, of which the bits below name the view's slot.
+constexpr std::uint64_t kPixels = std::uint64_t{1} << 63U;
+constexpr unsigned kSlotShift = 56;
+
+unsigned numberOf(Asker asker) {
+    return static_cast<unsigned>(asker);
+}
+
+/// What an asker's keys are marked by.
+std::uint64_t markOf(Asker asker) {
+    return asker == Asker::Texels ? 0 : kPixels | std::uint64_t{numberOf(asker) - 1U} << kSlotShift;
+}
+
+Asker askerOf(std::uint64_t key) {
+    return (key & kPixels) == 0
+               ? Asker::Texels
+               : TracerQueue::pixelsOf(static_cast<unsigned>((key & ~kPixels) >> kSlotShift));
 }
 
 } // namespace
@@ -31,31 +46,37 @@ void TracerQueue::setScene(const Scene& scene) {
             indices.push_back(first + index);
         }
     }
+    if (!tracer_.status()) {
+        waiting_.clear(); // what failed has dropped all that was asked for
+    }
     scene_ = tracer_.setScene(std::move(positions), std::move(indices));
 }
 
 void TracerQueue::request(Asker asker, std::vector<TexelRequest> queue) {
     for (TexelRequest& request : queue) {
-        request.key |= std::uint64_t{numberOf(asker)} << kAskerBit;
+        request.key |= markOf(asker);
     }
-    latest_ = asker;
-    tracer_.request(std::move(queue));
+    waiting_.set(numberOf(asker), std::move(queue));
+    tracer_.request(waiting_.mixed());
 }
 
 void TracerQueue::drop(Asker asker) {
-    finished_[numberOf(asker)].clear();
-    if (latest_ == asker && tracer_.pending() > 0) {
-        tracer_.request({});
+    finished_.erase(asker);
+    if (waiting_.count(numberOf(asker)) > 0) {
+        waiting_.set(numberOf(asker), {});
+        tracer_.request(waiting_.mixed());
     }
 }
 
 std::vector<TracedTexels> TracerQueue::take(Asker asker, std::size_t most) {
-    std::deque<TracedTexels>& mine = finished_[numberOf(asker)];
+    std::deque<TracedTexels>& mine = finished_[asker];
     if (mine.size() < most) {
         for (TracedTexels& traced : tracer_.take(most)) {
             const std::uint64_t key = traced.request.key;
-            traced.request.key = key & ~(std::uint64_t{1} << kAskerBit);
-            finished_[key >> kAskerBit].push_back(std::move(traced));
+            const Asker by = askerOf(key);
+            waiting_.answered(numberOf(by), key);
+            traced.request.key = key & ~markOf(by);
+            finished_[by].push_back(std::move(traced));
         }
     }
     const auto end = mine.begin() + static_cast<std::ptrdiff_t>(std::min(most, mine.size()));
@@ -66,7 +87,8 @@ std::vector<TracedTexels> TracerQueue::take(Asker asker, std::size_t most) {
 }
 
 std::size_t TracerQueue::pending(Asker asker) const {
-    return finished_[numberOf(asker)].size() + (latest_ == asker ? tracer_.pending() : 0);
+    const auto found = finished_.find(asker);
+    return (found != finished_.end() ? found->second.size() : 0) + waiting_.count(numberOf(asker));
 }
 
 } // namespace aolib

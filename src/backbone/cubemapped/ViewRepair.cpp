@@ -42,21 +42,25 @@ Rectangle pixelsOf(const Bounds& box, const HostCamera& camera, const glm::ivec2
 
 } // namespace
 
-void ViewRepair::follow(const Frame& frame, AbstractPixelSource* source) {
-    const View view{frame.camera, frame.size, frame.clip};
-    if (view_ == view && source_ == source) {
+void ViewRepair::follow(const Frame& frame, PixelSources::Kind kind, const Make& make) {
+    const Sight sight{frame.camera, frame.size, frame.clip};
+    if (sight_ == sight && kind_ == kind) {
         ++framesAtRest_;
         return;
     }
     restart();
-    source_ = source;
-    view_ = view;
+    if (kind_ != kind) {
+        source_ = kind == PixelSources::Kind::None ? nullptr : make();
+        kind_ = kind;
+    }
+    sight_ = sight;
     framesAtRest_ = 0;
 }
 
 void ViewRepair::dropSource() {
     restart();
-    source_ = nullptr;
+    source_.reset();
+    kind_ = PixelSources::Kind::None;
 }
 
 void ViewRepair::restart() {
@@ -68,9 +72,9 @@ void ViewRepair::restart() {
 
 void ViewRepair::sceneChanged(const std::vector<Scene::Change>& changes, float reach) {
     for (const Scene::Change& change : changes) {
-        if (view_ && !change.region.empty()) {
-            const Rectangle pixels = pixelsOf(change.region.inflated(reach), view_->camera,
-                                              view_->size, view_->clip.upperLeft);
+        if (sight_ && !change.region.empty()) {
+            const Rectangle pixels = pixelsOf(change.region.inflated(reach), sight_->camera,
+                                              sight_->size, sight_->clip.upperLeft);
             found_.drop(pixels.low, pixels.high - pixels.low);
         }
     }

@@ -2,10 +2,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
-#include "backbone/cubemapped/AbstractPixelSource.h"
+#include "backbone/ViewState.h"
+#include "backbone/cubemapped/PixelSources.h"
 #include "scene/Scene.h"
 
 namespace aolib {
@@ -15,9 +18,12 @@ namespace aolib {
 /// holds for a pixel as long as the host draws the same depth there.
 class ViewRepair {
 public:
-    /// Notes a frame and who computes pixels, null for nobody: forgets everything when either is
+    /// Makes what computes pixels; null for nobody.
+    using Make = std::function<std::unique_ptr<AbstractPixelSource>()>;
+    /// Notes a frame and what kind of source computes its pixels: forgets everything when either is
     /// another than in the frame before.
-    void follow(const Frame& frame, AbstractPixelSource* source);
+    /// @param make  gives a source of this kind.
+    void follow(const Frame& frame, PixelSources::Kind kind, const Make& make);
     /// The source is about to go.
     void dropSource();
     /// Forgets everything: what is asked about the scene has changed.
@@ -48,15 +54,9 @@ public:
     }
 
 private:
-    struct View {
-        HostCamera camera;
-        glm::ivec2 size;
-        ClipConvention clip;
-        bool operator==(const View&) const = default;
-    };
-
-    AbstractPixelSource* source_ = nullptr;
-    std::optional<View> view_;
+    std::unique_ptr<AbstractPixelSource> source_;
+    PixelSources::Kind kind_ = PixelSources::Kind::None;
+    std::optional<Sight> sight_;
     std::uint64_t framesAtRest_ = 0;
     FoundPixels found_;
 };

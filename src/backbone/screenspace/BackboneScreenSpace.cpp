@@ -8,6 +8,22 @@
 
 namespace aolib {
 
+namespace {
+
+struct ScreenSpaceView final : ViewState {
+    std::size_t bytes() const override {
+        return ViewState::bytes() + (estimated ? estimated.bytes() : 0);
+    }
+
+    gl::RenderToTexture2D estimated; ///< before the blur
+};
+
+} // namespace
+
+std::unique_ptr<ViewState> BackboneScreenSpace::makeView() {
+    return std::make_unique<ScreenSpaceView>();
+}
+
 Result<std::unique_ptr<AbstractBackbone>>
 BackboneScreenSpace::create(const BackboneContext& context) {
     std::unique_ptr<BackboneScreenSpace> backbone(new BackboneScreenSpace(context));
@@ -38,11 +54,12 @@ AoStatus BackboneScreenSpace::chooseEstimator() {
 
 Result<const gl::RenderToTexture2D*> BackboneScreenSpace::computeVisibility(const Frame& frame) {
     const gl::DebugGroup group(context_.gl, "aolib: screen-space visibility");
+    gl::RenderToTexture2D& target = static_cast<ScreenSpaceView&>(view()).estimated;
     if (AoStatus status =
-            target_.become(context_.gl, {.width = frame.size.x,
-                                         .height = frame.size.y,
-                                         .targets = {gl::RenderToTexture2D::Format::RG16F},
-                                         .label = "aolib/screenspace/visibility"});
+            target.become(context_.gl, {.width = frame.size.x,
+                                        .height = frame.size.y,
+                                        .targets = {gl::RenderToTexture2D::Format::RG16F},
+                                        .label = "aolib/screenspace/visibility"});
         !status) {
         return status;
     }
@@ -51,18 +68,21 @@ Result<const gl::RenderToTexture2D*> BackboneScreenSpace::computeVisibility(cons
             return status;
         }
     }
-    target_.begin(0);
+    target.begin(0);
     shader_.bind();
-    geometry_.bind(shader_, frame, 0, 1);
+    view().geometry.bind(shader_, frame, 0, 1);
     setEstimatorUniforms(shader_, context_.options, radius());
     context_.generated.drawFullscreen();
-    return &target_;
+    return &target;
 }
 
-void BackboneScreenSpace::addStatistics(Statistics& statistics) {
-    statistics.coverage = 1.0F;
-    statistics.coverageFrame = statistics.frame;
-    statistics.bytesFrame += target_ ? target_.bytes() : 0;
+void BackboneScreenSpace::addStatistics(Statistics& statistics, const ViewState* view) {
+    statistics.converged = view != nullptr;
+    if (view != nullptr) {
+        statistics.coverage = 1.0F;
+        statistics.coverageFrame = statistics.frame;
+        statistics.computed = 1.0F;
+    }
 }
 
 } // namespace aolib

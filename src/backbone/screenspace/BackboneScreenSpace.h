@@ -18,13 +18,13 @@ public:
 private:
     using AbstractBackbone::AbstractBackbone;
     Result<const gl::RenderToTexture2D*> computeVisibility(const Frame& frame) override;
-    void addStatistics(Statistics& statistics) override;
+    void addStatistics(Statistics& statistics, const ViewState* view) override;
+    std::unique_ptr<ViewState> makeView() override;
 
     AoStatus chooseEstimator();
 
     gl::GLSLShader shader_;
     Estimator estimator_{}; ///< that `shader_` was built for
-    gl::RenderToTexture2D target_;
 };
 
 } // namespace aolib

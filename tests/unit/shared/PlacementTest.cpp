@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <glm/gtc/matrix_transform.hpp>
+
 namespace aolib {
 namespace {
 
@@ -27,6 +29,44 @@ TEST(PlacementTest, FollowsTheThreshold) {
 
 TEST(PlacementTest, AnotherInTheSamePlaceWouldSeeTheSame) {
     EXPECT_FALSE(Placement::due(0.1F, 0.75F, kCamera, kHere, kSceneSize));
+}
+
+/// A frame of an orthographic camera above the origin that looks down on so much.
+Frame fromAbove(float height, float half, float near, float far) {
+    const glm::vec3 eye(0, height, 0);
+    const glm::mat4 view = glm::lookAt(eye, eye - glm::vec3(0, 1, 0), glm::vec3(0, 0, -1));
+    const glm::mat4 projection = glm::ortho(-half, half, -half, half, near, far);
+    return {.camera = *HostCamera::create(view, projection),
+            .position = eye,
+            .size = {100, 100},
+            .clip = {}};
+}
+
+TEST(PlacementTest, AnOrthographicEyeStandsBeforeWhatItSees) {
+    const Bounds scene{glm::vec3(-8, 0, -8), glm::vec3(8, 3, 8)};
+    const glm::vec3 wide = Placement::standpoint(fromAbove(30, 10, 0.1F, 100), scene, 16);
+    EXPECT_NEAR(wide.x, 0, 1e-4F);
+    EXPECT_NEAR(wide.y, 3 + 8, 1e-3F) << "a right angle over what there is";
+    for (const float height : {-20.0F, 0.0F, 5.0F, 1000.0F}) { // it means nothing
+        const glm::vec3 at = Placement::standpoint(fromAbove(height, 10, -2000, 2000), scene, 16);
+        EXPECT_NEAR(glm::distance(at, wide), 0, 1e-2F) << height;
+    }
+    const glm::vec3 close = Placement::standpoint(fromAbove(30, 1, 0.1F, 100), scene, 16);
+    EXPECT_NEAR(close.y, 3 + 1, 1e-3F) << "over what the view shows";
+    const glm::vec3 fine = Placement::standpoint(fromAbove(30, 10, 0.1F, 100), scene, 512);
+    EXPECT_NEAR(fine.y, 3 + 512 * 0.2F, 0.1F) << "texels two pixels wide";
+    const glm::vec3 cut = Placement::standpoint(fromAbove(30, 10, 28.5F, 100), scene, 16);
+    EXPECT_NEAR(cut.y, 1.5F, 1e-3F) << "on the plane that cuts the scene";
+    const glm::vec3 across =
+        Placement::across(fromAbove(30, 10, 0.1F, 100).camera, wide, {5, 1, -2});
+    EXPECT_NEAR(glm::distance(across, glm::vec3(5, 11, -2)), 0, 1e-3F);
+}
+
+TEST(PlacementTest, APerspectiveEyeStandsWhereItIs) {
+    Frame frame = fromAbove(30, 10, 0.1F, 100);
+    frame.camera = *HostCamera::create(glm::mat4(1), glm::perspective(1.0F, 1.0F, 0.1F, 9.0F));
+    frame.position = {1, 2, 3};
+    EXPECT_EQ(Placement::standpoint(frame, {glm::vec3(-1), glm::vec3(1)}, 512), frame.position);
 }
 
 TEST(PlacementTest, KeepsOffSurfaces) {

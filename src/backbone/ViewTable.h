@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "backbone/ViewState.h"
+
+namespace aolib {
+
+/// The views of an instance: which one a frame belongs to, and which are given up. No GL but what
+/// the states hold.
+///
+/// Where a host draws several views by one id, the table tells them apart by their cameras once
+/// they rest: of two cameras that take turns each is a view of its own.
+class ViewTable {
+public:
+    /// Views are given up after so many frames of others, and after so many for each view there is.
+    static constexpr std::uint64_t kIdleFrames = 256;
+    static constexpr std::uint64_t kIdleRounds = 8;
+    /// Views that have been drawn within so many frames, and within so many for each view, count
+    /// for what is said of all views.
+    static constexpr std::uint64_t kRecentFrames = 64;
+    static constexpr std::uint64_t kRecentRounds = 2;
+    /// Most views at a time: the one that was drawn longest ago makes room.
+    static constexpr std::size_t kMost = 64;
+    /// Frames by one id in which two cameras take turns until they are two views.
+    static constexpr int kTurns = 3;
+    /// Most of them by one id.
+    static constexpr std::size_t kMostPerId = 8;
+
+    using Make = std::function<std::unique_ptr<ViewState>()>;
+
+    explicit ViewTable(Make make) : make_(std::move(make)) {}
+
+    /// The view that a frame belongs to; it is the current one from now on. Gives up idle ones.
+    ViewState& begin(ViewId id, const Sight& sight);
+    void remove(ViewId id);
+
+    /// The view of the latest frame; null before the first, or when it was removed.
+    ViewState* current() const { return current_; }
+    /// The one that was drawn last by an id; null where there is none.
+    ViewState* find(ViewId id) const;
+    const std::vector<std::unique_ptr<ViewState>>& all() const { return states_; }
+    bool isRecent(const ViewState& state) const;
+
+    /// Makes another view the current one for as long as it lives.
+    class Visit {
+    public:
+        Visit(ViewTable& table, ViewState& state) : table_(table), before_(table.current_) {
+            table.current_ = &state;
+        }
+        ~Visit() { table_.current_ = before_; }
+        Visit(const Visit&) = delete;
+        Visit& operator=(const Visit&) = delete;
+
+    private:
+        ViewTable& table_;
+        ViewState* before_;
+    };
+
+private:
+    ViewState& choose(ViewId id, const Sight& sight);
+    ViewState* idleOf(ViewId id) const;
+    ViewState& add(ViewId id);
+    void giveUpIdle();
+
+    Make make_;
+    std::vector<std::unique_ptr<ViewState>> states_;
+    ViewState* current_ = nullptr;
+    std::uint64_t frames_ = 0; ///< begun
+};
+
+} // namespace aolib

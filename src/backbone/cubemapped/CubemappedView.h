@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "backbone/ViewState.h"
+#include "backbone/cubemapped/Survey.h"
+#include "backbone/cubemapped/ViewRepair.h"
+
+namespace aolib {
+
+/// What one view sees of the cube maps, which all views share: what it has asked them for, what it
+/// lacks, and what was computed for its own pixels.
+struct CubemappedView final : ViewState {
+    explicit CubemappedView(unsigned number) : slot(number) {}
+
+    std::size_t bytes() const override {
+        return ViewState::bytes() + pictures.bytes() + repair.bytes();
+    }
+    bool converged() const override { return isConverged; }
+
+    /// Cube maps have come or gone: what was found out about them is out of date.
+    void cubeMapsChanged();
+    /// Cube maps are computed anew, as they stand.
+    void cubeMapsBegun();
+    /// What is asked about the scene has changed.
+    void restart();
+    /// The scene has changed. @param reach  of occluders, world units; may be infinite
+    void sceneChanged(const std::vector<Scene::Change>& changes, float reach);
+    /// A cube map is about to go.
+    void cubeMapGoes(CubeMapProjector& projector);
+
+    /// Notes a frame: a view that shows something else begins anew.
+    /// @param number  of the frame, when it has ended
+    void follow(const Frame& frame, std::uint64_t number);
+    /// Whether a survey has looked at what the latest frame shows.
+    bool surveyed() const { return shownSurvey.frame > 0 && shownSurvey.frame >= restsSince; }
+    /// The latest survey saw this view, as it is now that nothing is left to compute.
+    bool nothingToSurvey() const;
+    /// From one survey to the next, frames of this view.
+    std::uint64_t framesToSurvey() const;
+    /// Notes how much is computed. @param share  of the passes that are needed, as far as is known
+    void noteComputed(float share);
+
+    const unsigned slot; ///< in the tracer's queue, which no other view has
+    ViewRepair repair;
+    AoStatus repairStatus; ///< of the latest frame
+    ProjectedPictures pictures;
+
+    PendingSurveys surveys;
+    std::optional<SurveyAnswer> latestSurvey; ///< of the cube maps as they are
+    SurveyAnswer shownSurvey;                 ///< the latest that has arrived
+    /// Share of the surfaces that are shaded, or may be by what is on its way.
+    std::optional<float> coverageToCome;
+    std::optional<glm::vec3> missing; ///< a surface that is not, world units
+
+    std::map<CubeMapId, AskedTiles> asked;
+    std::vector<CubeMapProjector*> used;      ///< in the latest frame, the most important first
+    std::vector<CubeMapProjector*> projected; ///< of these, those that are shown
+    std::optional<Sight> shows;               ///< what the latest frame showed
+    std::uint64_t frames = 0;                 ///< of this view, ended
+    std::uint64_t restsSince = 0;             ///< number of the first frame that showed the same
+    bool texelsComplete = false;   ///< of the cube maps in use, as far as the view asks for them
+    bool isConverged = false;      ///< and nothing is left to repair
+    std::uint64_t convergedIn = 0; ///< number of the frame in which that came true
+    float computed = 0.0F;         ///< largest share since the view, scene or options changed
+};
+
+} // namespace aolib

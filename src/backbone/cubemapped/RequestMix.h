@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <vector>
+
+#include <aolib/AbstractTexelTracer.h>
+
+namespace aolib {
+
+/// What several have asked a tracer for and not yet got, and an order that serves all of them
+/// alike: whoever has had the fewest rays is next. No GL.
+class RequestMix {
+public:
+    using Asker = unsigned;
+
+    /// Replaces what one asker waits for.
+    void set(Asker asker, std::vector<TexelRequest> requests);
+    /// One of an asker's requests was answered; nothing happens where it waits for none of this
+    /// key.
+    void answered(Asker asker, std::uint64_t key);
+    /// Nobody waits for anything.
+    void clear() { shares_.clear(); }
+
+    std::size_t count(Asker asker) const;
+    /// All that is waited for, in the order in which it is to be traced.
+    std::vector<TexelRequest> mixed() const;
+
+private:
+    struct Share {
+        std::deque<TexelRequest> waiting;
+        double had = 0.0; ///< rays, of what was answered
+    };
+    std::map<Asker, Share> shares_; ///< of those who wait
+};
+
+} // namespace aolib

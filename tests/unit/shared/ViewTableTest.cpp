@@ -1,0 +1,77 @@
+#include "backbone/ViewTable.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace aolib {
+namespace {
+
+constexpr ViewId kLeft{1};
+constexpr ViewId kRight{2};
+
+Sight sightFrom(float x, const glm::ivec2& size = {160, 90}) {
+    const glm::mat4 view = glm::translate(glm::mat4(1.0F), glm::vec3(-x, 0, 0));
+    const glm::mat4 projection = glm::perspective(1.0F, 1.5F, 0.1F, 100.0F);
+    return {*HostCamera::create(view, projection), size, {}};
+}
+
+class ViewTableTest : public testing::Test {
+protected:
+    ViewTable table{[] { return std::make_unique<ViewState>(); }};
+};
+
+TEST_F(ViewTableTest, IdsNameViews) {
+    ViewState& left = table.begin(kLeft, sightFrom(0));
+    ViewState& right = table.begin(kRight, sightFrom(0));
+    EXPECT_NE(&left, &right);
+    EXPECT_EQ(table.current(), &right);
+    EXPECT_EQ(&table.begin(kLeft, sightFrom(1)), &left) << "its camera has moved";
+    EXPECT_EQ(&table.begin(kLeft, sightFrom(1, {80, 45})), &left) << "its size has changed";
+    EXPECT_EQ(table.find(kRight), &right);
+    table.remove(kRight);
+    EXPECT_EQ(table.find(kRight), nullptr);
+    EXPECT_EQ(table.current(), &left);
+    table.remove(kLeft);
+    EXPECT_EQ(table.current(), nullptr);
+}
+
+TEST_F(ViewTableTest, CamerasThatTakeTurnsByOneIdAreViewsOfTheirOwn) {
+    for (int i = 0; i < 12; ++i) {
+        table.begin(kLeft, sightFrom(static_cast<float>(i % 2)));
+    }
+    ASSERT_EQ(table.all().size(), 2U);
+    EXPECT_NE(&table.begin(kLeft, sightFrom(0)), &table.begin(kLeft, sightFrom(1)));
+}
+
+TEST_F(ViewTableTest, ACameraThatWalksToAndFroIsOneView) {
+    for (const float x : {0.0F, 1.0F, 2.0F, 1.0F, 0.0F, 1.0F, 2.0F, 3.0F, 2.0F, 1.0F}) {
+        table.begin(kLeft, sightFrom(x));
+    }
+    EXPECT_EQ(table.all().size(), 1U);
+}
+
+TEST_F(ViewTableTest, WhatNobodyDrawsIsGivenUp) {
+    table.begin(kLeft, sightFrom(0));
+    const ViewState& left = *table.current();
+    for (std::uint64_t i = 0; i < ViewTable::kIdleFrames; ++i) {
+        table.begin(kRight, sightFrom(0));
+        EXPECT_EQ(table.isRecent(left), i < ViewTable::kRecentFrames);
+    }
+    ASSERT_EQ(table.all().size(), 2U);
+    table.begin(kRight, sightFrom(0));
+    EXPECT_EQ(table.all().size(), 1U);
+}
+
+TEST_F(ViewTableTest, ThereIsAMost) {
+    for (std::uint32_t i = 0; i < 200; ++i) {
+        table.begin(ViewId{i}, sightFrom(0));
+        ASSERT_LE(table.all().size(), ViewTable::kMost);
+        ASSERT_EQ(table.current(), table.find(ViewId{i}));
+    }
+    EXPECT_EQ(table.find(ViewId{0}), nullptr);
+    EXPECT_NE(table.find(ViewId{199}), nullptr);
+}
+
+} // namespace
+} // namespace aolib

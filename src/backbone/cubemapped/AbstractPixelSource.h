@@ -7,6 +7,7 @@
 
 #include "backbone/cubemapped/FoundPixels.h"
 #include "backbone/cubemapped/Projection.h"
+#include "scene/Bounds.h"
 
 namespace aolib {
 
@@ -32,6 +33,10 @@ public:
     virtual void restart() = 0;
     /// The cube maps have changed, the view has not.
     virtual void lookAgain() = 0;
+    /// Whether a change of the scene may alter pixels that were found or are on their way.
+    /// @param within  the region of the change and as far about it as occluders reach, world units
+    /// @param texels  whether it alters texels of cube maps
+    virtual bool isAltered(const Bounds& /*within*/, bool texels) const { return texels; }
     /// Goes on with the view it was last called with, or with the first after a restart.
     /// @param milliseconds  that it may take, as far as can be told beforehand; infinite: to the
     /// end

@@ -248,7 +248,9 @@ AoStatus BackboneCubemapped::followScene() {
         // Receivers up to that far away from a change see a difference.
         const float within = occluderReach(context_.options.falloff, radius());
         schedule_.sceneChanged(cubeMaps_.all(), changes, within);
-        forEachView([&](CubemappedView& one) { one.sceneChanged(changes, within); });
+        const bool texels = std::ranges::any_of(
+            cubeMaps_.all(), [](const auto& one) { return one->outdated || one->dirty; });
+        forEachView([&](CubemappedView& one) { one.sceneChanged(changes, within, texels); });
     }
     if (const float inForce = radius(); inForce != builtRadius_) {
         builtRadius_ = inForce;

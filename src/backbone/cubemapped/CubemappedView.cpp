@@ -34,8 +34,9 @@ void CubemappedView::restart() {
     computed = 0.0F;
 }
 
-void CubemappedView::sceneChanged(const std::vector<Scene::Change>& changes, float reach) {
-    repair.sceneChanged(changes, reach);
+void CubemappedView::sceneChanged(const std::vector<Scene::Change>& changes, float reach,
+                                  bool texels) {
+    repair.sceneChanged(changes, reach, texels);
     isConverged = false;
     computed = 0.0F;
 }

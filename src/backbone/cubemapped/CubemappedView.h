@@ -27,8 +27,10 @@ struct CubemappedView final : ViewState {
     void cubeMapsBegun();
     /// What is asked about the scene has changed.
     void restart();
-    /// The scene has changed. @param reach  of occluders, world units; may be infinite
-    void sceneChanged(const std::vector<Scene::Change>& changes, float reach);
+    /// The scene has changed.
+    /// @param reach   of occluders, world units; may be infinite
+    /// @param texels  whether texels of cube maps are altered
+    void sceneChanged(const std::vector<Scene::Change>& changes, float reach, bool texels);
     /// A cube map is about to go.
     void cubeMapGoes(CubeMapProjector& projector);
 

@@ -39,6 +39,7 @@ void TracedPixels::restart() {
     doubt_ = {};
     readback_ = {};
     tiles_.clear();
+    surfaces_.clear();
 }
 
 AoStatus TracedPixels::advance(const RestingView& view, FoundPixels& found, double milliseconds) {
@@ -51,7 +52,7 @@ AoStatus TracedPixels::advance(const RestingView& view, FoundPixels& found, doub
         if (std::isinf(milliseconds)) {
             view.context.gl.Finish();
         }
-        readback_.poll([&](auto depths) { plan(view.frame.size, depths); });
+        readback_.poll([&](auto depths) { plan(view.frame, depths); });
         if (phase_ == Phase::Tracing) {
             found.count = 0;
             if (AoStatus status = found.makeRoom(view.context.gl, view.frame.size); !status) {
@@ -116,7 +117,24 @@ AoStatus TracedPixels::ask(const RestingView& view) {
     return {};
 }
 
-void TracedPixels::plan(const glm::ivec2& size, std::span<const std::uint8_t> depths) {
+bool TracedPixels::isAltered(const Bounds& within, bool /*texels*/) const {
+    return std::ranges::any_of(surfaces_, [&](const Bounds& seen) { return seen.meets(within); });
+}
+
+Bounds TracedPixels::surfacesOf(const std::vector<Pixel>& pixels, const Frame& frame) {
+    Bounds bounds;
+    float footprint = 0.0F;
+    for (const Pixel& pixel : pixels) {
+        const HostCamera::Surface surface = frame.camera.surfaceAt(
+            pixel.at, static_cast<double>(pixel.depth), frame.size, frame.clip);
+        bounds.include(glm::vec3(frame.camera.eye() + surface.position));
+        footprint = std::max(footprint, static_cast<float>(surface.footprint));
+    }
+    return bounds.inflated(footprint);
+}
+
+void TracedPixels::plan(const Frame& frame, std::span<const std::uint8_t> depths) {
+    const glm::ivec2 size = frame.size;
     std::vector<float> rows(depths.size() / sizeof(float));
     std::memcpy(rows.data(), depths.data(), rows.size() * sizeof(float));
     for (int y = 0; y < size.y; y += kTile) {
@@ -138,6 +156,7 @@ void TracedPixels::plan(const glm::ivec2& size, std::span<const std::uint8_t> de
                 }
             }
             if (!tile.empty()) {
+                surfaces_.push_back(surfacesOf(tile, frame));
                 tiles_.push_back(std::move(tile));
             }
         }

@@ -27,6 +27,7 @@ public:
 
     void restart() override;
     void lookAgain() override { restart(); }
+    bool isAltered(const Bounds& within, bool texels) const override;
     /// Errors: OutOfMemory, MissingCapability, the tracer's.
     AoStatus advance(const RestingView& view, FoundPixels& found, double milliseconds) override;
     bool done() const override { return phase_ == Phase::Done; }
@@ -41,8 +42,9 @@ private:
 
     /// Draws where the cube maps leave a doubt, and starts reading it back.
     AoStatus ask(const RestingView& view);
+    static Bounds surfacesOf(const std::vector<Pixel>& pixels, const Frame& frame);
     /// Sorts the doubtful pixels into tiles.
-    void plan(const glm::ivec2& size, std::span<const std::uint8_t> depths);
+    void plan(const Frame& frame, std::span<const std::uint8_t> depths);
     /// Traces them.
     AoStatus trace(const RestingView& view, FoundPixels& found, double milliseconds);
     std::vector<TexelRequest> requests(const RestingView& view) const;
@@ -56,6 +58,7 @@ private:
     gl::RenderToTexture2D doubt_; ///< while it is read back
     gl::PixelReadback readback_;
     std::vector<std::vector<Pixel>> tiles_; ///< doubtful pixels; empty once they are traced
+    std::vector<Bounds> surfaces_;          ///< that the pixels of each tile show, world units
 };
 
 } // namespace aolib

@@ -70,15 +70,18 @@ void ViewRepair::restart() {
     }
 }
 
-void ViewRepair::sceneChanged(const std::vector<Scene::Change>& changes, float reach) {
+void ViewRepair::sceneChanged(const std::vector<Scene::Change>& changes, float reach, bool texels) {
+    bool altered = false;
     for (const Scene::Change& change : changes) {
-        if (sight_ && !change.region.empty()) {
-            const Rectangle pixels = pixelsOf(change.region.inflated(reach), sight_->camera,
-                                              sight_->size, sight_->clip.upperLeft);
+        const Bounds within = change.region.inflated(reach);
+        if (sight_ && source_ != nullptr && !within.empty() && source_->isAltered(within, texels)) {
+            const Rectangle pixels =
+                pixelsOf(within, sight_->camera, sight_->size, sight_->clip.upperLeft);
             found_.drop(pixels.low, pixels.high - pixels.low);
+            altered = true;
         }
     }
-    if (source_ != nullptr) {
+    if (altered) {
         source_->restart();
     }
 }

@@ -29,8 +29,9 @@ public:
     /// Forgets everything: what is asked about the scene has changed.
     void restart();
     /// The scene has changed: forgets the pixels that may show it, and looks again.
-    /// @param reach  of occluders, world units; may be infinite
-    void sceneChanged(const std::vector<Scene::Change>& changes, float reach);
+    /// @param reach   of occluders, world units; may be infinite
+    /// @param texels  whether texels of cube maps are altered
+    void sceneChanged(const std::vector<Scene::Change>& changes, float reach, bool texels);
     /// The cube maps have changed: looks again. What was found stays shown.
     void lookAgain();
 

@@ -188,7 +188,8 @@ TEST_P(ChangingSceneGLTest, NoChangeStopsHorizons) {
 }
 
 TEST_P(ChangingSceneGLTest, WhatMovesOutOfSightDisturbsNothing) {
-    const Options o = options(Estimator::RayTraced);
+    Options o = options(Estimator::RayTraced);
+    o.cubeMaps.repair = true;
     SmallHost host = hostOf(o);
     const MeshId id = *host.ao().addMesh(box(at(0, -4)));
     ASSERT_TRUE(moveUntil(

@@ -29,7 +29,8 @@ TexelTracer::~TexelTracer() {
     std::ranges::for_each(workers_, [](std::jthread& worker) { worker.request_stop(); });
 }
 
-void TexelTracer::setScene(std::vector<glm::vec3> positions, std::vector<std::uint32_t> indices) {
+void TexelTracer::setScene(std::vector<glm::vec3> positions, std::vector<std::uint32_t> indices,
+                           std::vector<glm::vec3> normals) {
     // What is dropped is destroyed after the lock is released.
     std::deque<TexelRequest> queue;
     std::deque<TracedTexels> finished;
@@ -40,7 +41,7 @@ void TexelTracer::setScene(std::vector<glm::vec3> positions, std::vector<std::ui
     begun_ = 0;
     building_ = false;
     status_ = {};
-    mesh_ = TriangleMesh{std::move(positions), {}, std::move(indices)};
+    mesh_ = TriangleMesh{std::move(positions), std::move(normals), std::move(indices)};
     startWorkers(1);
     work_.notify_one();
     changed_.notify_all();

@@ -30,7 +30,8 @@ public:
     explicit TexelTracer(int threads);
     ~TexelTracer() override;
 
-    void setScene(std::vector<glm::vec3> positions, std::vector<std::uint32_t> indices) override;
+    void setScene(std::vector<glm::vec3> positions, std::vector<std::uint32_t> indices,
+                  std::vector<glm::vec3> normals) override;
     void request(std::vector<TexelRequest> queue) override;
     std::vector<TracedTexels> take(std::size_t most) override;
     bool wait(double milliseconds) override;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 
-#include "backbone/Estimators.h"
 #include "backbone/cubemapped/LayeredPixels.h"
 #include "backbone/cubemapped/TracedPixels.h"
 
@@ -88,10 +87,8 @@ void BuildSchedule::askTracer() {
 }
 
 bool BuildSchedule::tracesPixels() const {
-    const Options& options = context_.options;
-    const bool layered = options.estimator == Estimator::LayeredIntervals;
     return context_.tracer && !context_.scene.meshes().empty() && !context_.renderer &&
-           (options.estimator == Estimator::RayTraced || (layered && raysTell(context_.scene)));
+           context_.options.estimator != Estimator::HorizonSplit;
 }
 
 void BuildSchedule::sceneChanged() {

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "scene/WorldTriangles.h"
 #include "shared/cube_faces.h"
 
 namespace aolib {
@@ -30,12 +31,6 @@ glm::mat4 modelToCube(const glm::mat4& model, const glm::dvec3& centre) {
     glm::dmat4 m(model);
     m[3] -= glm::dvec4(centre, 0.0);
     return glm::mat4(m);
-}
-
-glm::mat3 normalMatrix(const glm::mat4& model) {
-    const glm::dmat3 m{glm::dmat4(model)};
-    const double determinant = glm::determinant(m);
-    return determinant != 0.0 ? glm::mat3(glm::transpose(glm::inverse(m))) : glm::mat3(m);
 }
 
 /// Whether a box reaches into a frustum, as ViewFace has it.
@@ -112,7 +107,7 @@ bool FaceCapture::draw(gl::GLSLShader& shader, int face) const {
         }
         const SceneGeometry::Piece& piece = geometry_.piece(id);
         shader.set("uModelToCube", modelToCube(mesh.transform, centre_));
-        shader.set("uNormalMatrix", normalMatrix(mesh.transform));
+        shader.set("uNormalMatrix", glm::mat3(normalMatrix(mesh.transform)));
         shader.set("uHasNormals", piece.triangles.hasNormals() ? 1 : 0);
         const bool turned = glm::determinant(glm::mat3(mesh.transform)) < 0.0F;
         shader.set("uMirrored", turned != mirrored ? 1 : 0);

@@ -4,7 +4,7 @@
 #include <iterator>
 #include <utility>
 
-#include <glm/mat4x4.hpp>
+#include "scene/WorldTriangles.h"
 
 namespace aolib {
 
@@ -19,19 +19,8 @@ std::size_t numberOf(TracerQueue::Asker asker) {
 } // namespace
 
 void TracerQueue::setScene(const Scene& scene) {
-    std::vector<glm::vec3> positions;
-    std::vector<std::uint32_t> indices;
-    for (const auto& [id, mesh] : scene.meshes()) {
-        const auto first = static_cast<std::uint32_t>(positions.size());
-        const glm::dmat4 transform(mesh.transform);
-        for (const glm::vec3& position : mesh.positions) {
-            positions.emplace_back(glm::dvec3(transform * glm::dvec4(position, 1.0)));
-        }
-        for (const std::uint32_t index : mesh.indices) {
-            indices.push_back(first + index);
-        }
-    }
-    tracer_.setScene(std::move(positions), std::move(indices));
+    TriangleMesh all = worldTriangles(scene);
+    tracer_.setScene(std::move(all.positions), std::move(all.indices), std::move(all.normals));
     finished_ = {};
 }
 

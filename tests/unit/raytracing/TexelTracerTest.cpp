@@ -25,7 +25,7 @@ std::unique_ptr<AbstractTexelTracer> tracerOf(int threads) {
 }
 
 void setScene(AbstractTexelTracer& tracer, const TriangleMesh& mesh) {
-    tracer.setScene(mesh.positions, mesh.indices);
+    tracer.setScene(mesh.positions, mesh.indices, mesh.normals);
 }
 
 /// Tile number `key` of a cube map of 32 x 32 texels, 16 tiles a face.
@@ -65,7 +65,8 @@ std::vector<TracedTexels> takeAll(AbstractTexelTracer& tracer) {
 }
 
 TEST(TexelTracer, ResultsDoNotDependOnThreads) {
-    const TriangleMesh mesh = test::floorAndWall(2.0);
+    TriangleMesh mesh = test::floorAndWall(2.0);
+    mesh.normals.assign(mesh.positions.size(), glm::vec3(0.6F, 0.8F, 0.0F));
     const RayScene scene = test::sceneOf(mesh);
     for (const int threads : {1, 4}) {
         const auto tracer = tracerOf(threads);
@@ -249,6 +250,11 @@ TEST(TexelTracer, ARejectedSceneSaysWhy) {
     mesh = test::box();
     mesh.indices.pop_back();
     EXPECT_EQ(rejected(mesh), StatusCode::IncompletePrimitive);
+    mesh = test::box();
+    mesh.normals.assign(mesh.positions.size() - 1, glm::vec3(0.0F));
+    EXPECT_EQ(rejected(mesh), StatusCode::InvalidNormal);
+    mesh.normals.emplace_back(std::numeric_limits<float>::infinity());
+    EXPECT_EQ(rejected(mesh), StatusCode::InvalidNormal);
     setScene(*tracer, test::box());
     EXPECT_TRUE(tracer->status());
     tracer->request(tiles(0, 3));

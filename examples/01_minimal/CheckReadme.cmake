@@ -1,4 +1,5 @@
-# Checks that README shows SOURCE's lines between the marks, that they are twenty, and that no other
+# Checks that README shows SOURCE's lines between the marks, that they are twenty without
+# the empty ones, and that no other
 # line of SOURCE speaks to aolib.
 cmake_minimum_required(VERSION 3.22)
 file(READ ${SOURCE} source)
@@ -14,7 +15,8 @@ string(FIND "${readme}" "```cpp\n${shown}```\n" place)
 if(place EQUAL -1)
     message(FATAL_ERROR "${README} does not show the lines between the marks of ${SOURCE}")
 endif()
-string(REGEX REPLACE "[^\n]" "" breaks "${shown}")
+string(REGEX REPLACE "\n\n+" "\n" filled "${shown}")
+string(REGEX REPLACE "[^\n]" "" breaks "${filled}")
 string(LENGTH "${breaks}" lines)
 if(NOT lines EQUAL 20)
     message(FATAL_ERROR "${SOURCE}: ${lines} lines between the marks; the README says 20")

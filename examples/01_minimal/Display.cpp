@@ -33,11 +33,15 @@ public:
     explicit Offscreen(std::unique_ptr<aolib::GlContext> context) : context_(std::move(context)) {}
 
     GetProcAddress getProcAddress() const override { return context_->loader(); }
-    bool open() const override { return true; }
-    void show() override {}
+    bool open() const override { return shown_ < kMostShown; }
+    void show() override { ++shown_; }
 
 private:
+    /// Nobody closes it: so that what waits for a picture that never comes ends all the same.
+    static constexpr int kMostShown = 10000;
+
     std::unique_ptr<aolib::GlContext> context_;
+    int shown_ = 0;
 };
 
 } // namespace

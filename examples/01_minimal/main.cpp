@@ -1,11 +1,13 @@
 // A small host renderer with ambient occlusion: a camera circles a ground with a few boxes.
 // The lines between the two marks are all there is of aolib; the README shows them.
+#include <algorithm>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -37,18 +39,19 @@ Camera orbit(int frame) {
 } // namespace
 
 // [aolib]
+#include <aolib/RayTracing.h>
 #include <aolib/aolib.h>
 
 std::string drawFrames(Display& display, const Renderer& renderer, const Triangles& scene, int n) {
-    aolib::Options options{.radius = 1.5F}; // how far things occlude, world units
-    options.frameBudget = 0.0F;             // complete in the first frame; games keep 4 ms of each
-    auto ao = aolib::AmbientOcclusion::create(display.getProcAddress(), options);
+    auto ao = aolib::AmbientOcclusion::create(display.getProcAddress(), {.radius = 1.5F});
     if (!ao) {
         return ao.status().message();
     }
+    auto tracer = aolib::createTexelTracer(); // rays, on the processor's other cores
+    ao->setTexelTracer(tracer ? std::move(*tracer) : nullptr); // without one the GPU computes
     const auto mesh = ao->addMesh({scene.positions, scene.normals, scene.indices});
-    for (int frame = 0; mesh && frame < n && display.open(); ++frame) {
-        const Camera camera = orbit(frame);
+    for (int i = 0; mesh && display.open() && (i < n || !ao->statistics().converged); ++i) {
+        const Camera camera = orbit(std::min(i, n - 1));
         ao->aoSetCamera(camera.view, camera.projection);
         ao->aoDrawBegin();
         renderer.draw(camera.view, camera.projection); // as ever, to the host's own framebuffer

@@ -48,16 +48,20 @@ struct TracedTexels {
         visibility;              ///< mean W over exactly the request's rays; 1 where nothing is hit
     std::vector<float> distance; ///< of the surface that the texel's centre sees, along its ray;
                                  ///< -1 where it sees nothing
-    std::vector<glm::vec3> normal; ///< geometric, turned to the centre; 0 where it sees nothing
+    std::vector<glm::vec3> normal; ///< of the triangle, turned to the centre; 0 where it
+                                   ///< sees nothing
 };
 
 /// Traces texels of cube maps in the background. `aolib/RayTracing.h` makes one.
 ///
 /// A texel sees the surface that the ray from the cube map's centre through the texel's centre
-/// meets first. Rays leave it over the hemisphere about its geometric normal, with the density of
-/// the cosine. Each texel has one endless sequence of rays, which depends on its face, column and
-/// row alone: requests with consecutive `firstRay` continue it, their means weighed by `rays` are
-/// the mean of the whole, and neither threads nor the order of requests change a result.
+/// meets first. Rays leave it over the hemisphere about its shading normal, with the density of the
+/// cosine; those that go below the plane of its triangle are blocked at once. The shading normal is
+/// the scene's, interpolated and turned to the centre, or the geometric one where the scene has
+/// none or where they cancel out. Each texel has one endless sequence of rays, which depends on its
+/// face, column and row alone: requests with consecutive `firstRay` continue it, their means
+/// weighed by `rays` are the mean of the whole, and neither threads nor the order of requests
+/// change a result.
 ///
 /// Threads: all methods may be called from any thread, and only `wait()` waits. Since 0.1.
 class AOLIB_EXPORT AbstractTexelTracer {
@@ -68,14 +72,16 @@ public:
     /// Stops the workers, whatever they are at.
     virtual ~AbstractTexelTracer();
 
-    /// Exchanges the scene: indexed triangles in world space. Returns at once: a worker builds the
-    /// acceleration structure, and until it is there requests are traced in the scene before, if
-    /// there is one. Requests and results stay; each result names its scene. Of scenes that come
+    /// Exchanges the scene: indexed triangles in world space. `normals` is empty, or has one per
+    /// position: of length 1, or zero for a vertex that has none. Returns at once: a worker builds
+    /// the acceleration structure, and until it is there requests are traced in the scene before,
+    /// if there is one. Requests and results stay; each result names its scene. Of scenes that come
     /// faster than they can be built, some are left out, never the latest. Forgets the failure that
     /// `status()` told. A scene without triangles is allowed: nothing is ever hit.
     /// @return a number for the scene, above that of every scene before it, at least 1.
     virtual std::uint64_t setScene(std::vector<glm::vec3> positions,
-                                   std::vector<std::uint32_t> indices) = 0;
+                                   std::vector<std::uint32_t> indices,
+                                   std::vector<glm::vec3> normals = {}) = 0;
 
     /// Replaces the queue, first served first. What a worker has begun goes on; its result still
     /// comes. Requests out of range are left out, and all of them where there is no scene or it was
@@ -92,9 +98,10 @@ public:
     /// Requests queued, begun, or finished and not yet taken.
     virtual std::size_t pending() const = 0;
 
-    /// The first failure since `setScene()`: IncompletePrimitive, InvalidIndex, InvalidPosition
-    /// (the scene is rejected; or a request's centre, which is left out), InvalidOption (a request
-    /// out of range is left out), NoScene, OutOfMemory.
+    /// The first failure since `setScene()`. The scene is rejected: IncompletePrimitive,
+    /// InvalidIndex, InvalidPosition, InvalidNormal (not finite, or not as many as positions). A
+    /// request is left out: InvalidPosition (its centre), InvalidOption (out of range), NoScene.
+    /// Either: OutOfMemory.
     virtual AoStatus status() const = 0;
 };
 

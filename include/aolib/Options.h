@@ -21,10 +21,10 @@ enum class Backbone : std::uint8_t {
 enum class Estimator : std::uint8_t {
     HorizonSplit,     ///< thesis 4.3.1: the highest horizon over a number of directions
     LayeredIntervals, ///< slices through the cube's centre over layers of solid intervals
-    RayTraced, ///< rays, on worker threads in the background, about geometric normals; needs a
-               ///< texel tracer (AmbientOcclusion::setTexelTracer)
-    Automatic, ///< RayTraced where it can be: there is a texel tracer, all geometry is given as
-               ///< triangles, and none with normals of its own; else LayeredIntervals
+    RayTraced, ///< rays, on worker threads in the background, about the meshes' normals where they
+               ///< have any; needs a texel tracer (AmbientOcclusion::setTexelTracer)
+    Automatic, ///< RayTraced where it can be: there is a texel tracer, and all geometry is given as
+               ///< triangles; else LayeredIntervals
 };
 
 /// How cube maps reach the host's picture. Both give the same pixels.
@@ -86,9 +86,8 @@ struct CubeMapOptions {
     /// software rasteriser once half of the view is known); else it stays unshaded, W = 1.
     bool fallback = true;
     /// While the view rests, also compute its pixels by themselves, where texels are too coarse:
-    /// those in doubt are traced where there is a tracer and no mesh has normals of its own; else
-    /// layered intervals compute all of a perspective view. Horizon split leaves texels as they
-    /// are.
+    /// those in doubt are traced where there is a tracer; else layered intervals compute all of a
+    /// perspective view. Horizon split leaves texels as they are.
     bool repair = true;
     /// Project onto every second pixel of every second row and take that to the others by their
     /// depths: for many cube maps on weak devices. Pixels of a view at rest are whole all the same.

@@ -7,4 +7,6 @@ in vec3 vNormal;
 
 layout(location = 0) out vec4 outGeometry; // normal, distance
 
-void main() { outGeometry = vec4(seenNormal(vPosition, vNormal), length(vPosition)); }
+void main() {
+    outGeometry = vec4(seenNormal(seenPlane(vPosition), vNormal), length(vPosition));
+}

@@ -12,7 +12,9 @@ out vec3 vNormal;
 
 void main() {
     vPosition = (uModelToCube * vec4(aPosition, 1.0)).xyz;
-    vNormal = uNormalMatrix * aNormal;
+    vec3 normal = uNormalMatrix * aNormal;
+    float length2 = dot(normal, normal);
+    vNormal = length2 > 0.0 ? normal * inversesqrt(length2) : vec3(0.0); // long ones weigh no more
     vec3 face = uCubeToFace * vPosition;
     gl_Position = vec4(face.xy, uDepthMap.x * face.z + uDepthMap.y, face.z);
 }

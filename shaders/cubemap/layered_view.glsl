@@ -3,9 +3,10 @@
 // looked up in its own, finer texels: a seventh face.
 #include "shared/cube_faces.h"
 #include "shared/folded_place.h"
-#include "shared/octahedral.h"
+#include "shared/normal_pair.h"
 
-// The layers of each face, one face after the other: entry (-1 none), exit, octahedral normal.
+// The layers of each face, one face after the other: entry (-1 none), exit, normals as
+// normal_pair.h has them.
 uniform sampler2DArray uIntervals;
 uniform ivec4 uFaceLayers[6]; // a face's first layer, how many it has
 uniform int uLayers;
@@ -92,7 +93,7 @@ vec3 rayOf(Texel texel) {
     return normalize(faceDirection(texel.face, (vec2(texel.at) + 0.5) / float(uFaceSize)));
 }
 
-// Entry, exit and normal of one layer; entry negative where there is none.
+// Entry, exit and normals of one layer; entry negative where there is none.
 vec4 intervalAt(Texel texel, int layer) {
 #ifdef AO_VIEW_FACE
     if (texel.face == kViewFace) {

@@ -3,10 +3,10 @@
 // that nothing ends goes on without end.
 #include "cubemap/entry_kinds.glsl"
 
-uniform sampler2D uEntry; // distance, solid, octahedral normal
+uniform sampler2D uEntry; // distance, solid, normals
 uniform sampler2D uExit;  // distance, 0 where there is none
 
-layout(location = 0) out vec4 outInterval; // entry (-1 none), exit, octahedral normal
+layout(location = 0) out vec4 outInterval; // entry (-1 none), exit, normals
 
 const float kInfinite = 1.0e30;
 

@@ -32,7 +32,9 @@ float lidOf(float sheet) {
 
 void main() {
     vPosition = (uModelToCube * vec4(aPosition, 1.0)).xyz;
-    vNormal = uNormalMatrix * aNormal;
+    vec3 normal = uNormalMatrix * aNormal;
+    float length2 = dot(normal, normal);
+    vNormal = length2 > 0.0 ? normal * inversesqrt(length2) : vec3(0.0); // long ones weigh no more
     bool sheet = aSolid >= kSheets;
     vSolid = sheet ? 0.0 : uFirstSolid + aSolid;
     vSheet = sheet ? uFirstSolid + (aSolid - kSheets) : 0.0;

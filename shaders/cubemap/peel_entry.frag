@@ -2,7 +2,7 @@
 // The next surface along each ray, behind the interval peeled before: a sheet, or where solid begins.
 #include "cubemap/peel.glsl"
 #include "cubemap/surface_normal.glsl"
-#include "shared/octahedral.h"
+#include "shared/normal_pair.h"
 
 uniform sampler2D uPrevious; // the layer before: distance, solid, normal
 uniform sampler2D uExit;     // and where it ended, as peel_exit.frag says
@@ -12,11 +12,11 @@ uniform bool uFirstLayer;
 // what depth changes by from texel to texel. Rounding would choose now the one, now the other.
 const float kCreaseShare = 0.01;
 
-layout(location = 0) out vec4 outEntry; // distance, solid or kSheetEntry or kLidEntry, normal
+layout(location = 0) out vec4 outEntry; // distance, solid or kSheetEntry or kLidEntry, normals
 
 void main() {
-    // Before any discard: the normal needs its neighbours.
-    vec3 normal = seenNormal(vPosition, vNormal);
+    // Before any discard: the plane needs its neighbours.
+    vec3 plane = seenPlane(vPosition);
     gl_FragDepth = gl_FragCoord.z + kCreaseShare * fwidth(gl_FragCoord.z);
     float distance = length(vPosition);
     if (vSolid > 0.0 && !enters()) {
@@ -33,5 +33,6 @@ void main() {
         }
     }
     float what = vSolid > 0.0 ? vSolid : opensLid() ? kLidEntry : kSheetEntry;
-    outEntry = vec4(distance, what, encodeNormal(normal));
+    vec3 normal = seenNormal(plane, vNormal);
+    outEntry = vec4(distance, what, normal == plane ? encodeNormal(plane) : encodeNormals(plane, normal));
 }

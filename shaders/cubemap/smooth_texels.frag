@@ -27,7 +27,7 @@ void main() {
         return;
     }
     vec3 position = rayOf(texel) * own.x;
-    vec3 normal = decodeNormal(own.zw);
+    vec3 normal = decodePlane(own.zw);
     float tolerance = kSameSurfaceFootprints * footprintAt(texel, position);
     vec2 found = vec2(0.0);
     ivec2 offset = ivec2(-uReach);
@@ -38,7 +38,7 @@ void main() {
         vec4 interval = intervalAt(other, uLayer);
         bool same = interval.x > 0.0 && (uLayer == 0 || other.face == uFace) &&
                     abs(dot(normal, rayOf(other) * interval.x - position)) <= tolerance &&
-                    dot(normal, decodeNormal(interval.zw)) >= kSameSurfaceCosine;
+                    dot(normal, decodePlane(interval.zw)) >= kSameSurfaceCosine;
         if (same || offset == ivec2(0)) {
             float weight = offset == ivec2(0) ? uOwnWeight : 1.0;
             ivec2 origin = uFaceOrigin + ivec2((other.face - uFace) * uFaceSize, 0);

@@ -18,5 +18,5 @@ void main() {
     outFound = surface.x < 0.0
                    ? vec2(0.0)
                    : blockedLayeredIntervals(texel, numberOf(texel), rayOf(texel) * surface.x,
-                                             decodeNormal(surface.zw), uFirstSlice, uSliceCount);
+                                             surface.zw, uFirstSlice, uSliceCount);
 }

@@ -10,11 +10,12 @@
 //   struct Texel
 //   bool texelTowards(vec3 direction, out Texel texel)   false where nothing is known
 //   vec3 rayOf(Texel texel)                              unit direction of its middle
-//   vec4 intervalAt(Texel texel, int layer)              entry (-1 none), exit, octahedral normal
+//   vec4 intervalAt(Texel texel, int layer)              entry (-1 none), exit, normals
 //   int uLayers
 //   vec3 slicesFrom(Texel texel)                         whence slices are counted; not its ray
 //   float texelAngle(), float footprintAt(Texel, vec3 position)
 #include "shared/falloff.h"
+#include "shared/normal_pair.h"
 #include "shared/sector_mask.h"
 #include "shared/slice.h"
 
@@ -46,7 +47,8 @@ const float kInfinite = 1.0e29;
 struct Receiver {
     float distance; // from the cube's centre
     vec3 toCentre;  // unit, v
-    vec3 normal;
+    vec3 normal; // what it is shaded about
+    vec3 plane;  // of its surface: what lies below is blocked
     float reach; // of occluders, world units
     Texel texel;
 };
@@ -55,7 +57,7 @@ struct Receiver {
 struct Side {
     vec3 tangent;
     float sign;    // +1 or -1: how its theta enters the slice's
-    float gamma;   // of the normal, on this side
+    float plane;   // gamma of the surface's plane, on this side
     uvec2 sectors; // of the mask
 };
 
@@ -148,7 +150,7 @@ void continueTo(Receiver p, Segment s, Ray ray, float away, inout vec2 cosines) 
 
 // Cosines of the largest and the smallest angle, in the wedge's plane, that an interval blocks.
 vec2 blockedCosines(Receiver p, Wedge w, vec4 interval) {
-    vec3 normal = decodeNormal(interval.zw);
+    vec3 normal = decodePlane(interval.zw);
     Segment s;
     s.entry = interval.x;
     s.exit = interval.y;
@@ -177,14 +179,17 @@ float intervalWeight(Receiver p, vec4 interval, float cosBeta) {
     return exp(-sqrt(max(distance2, 0.0)) / uRadius);
 }
 
+// Share of the hemisphere's weight up to an angle from v.
+float shareUpTo(Slice slice, float angle) {
+    angle = clamp(angle, slice.gamma - 0.5 * kPi, slice.gamma + 0.5 * kPi);
+    return (sliceIntegral(angle, slice.gamma) - slice.low) / slice.span;
+}
+
 // The sectors between two angles from v, on one side.
 uvec2 sectorsSeen(Slice slice, Side side, vec2 angles) {
     angles *= side.sign;
     angles = side.sign > 0.0 ? angles : angles.yx;
-    angles = clamp(angles, slice.gamma - 0.5 * kPi, slice.gamma + 0.5 * kPi);
-    float a = (sliceIntegral(angles.x, slice.gamma) - slice.low) / slice.span;
-    float b = (sliceIntegral(angles.y, slice.gamma) - slice.low) / slice.span;
-    return sectorsBetween(a, b);
+    return sectorsBetween(shareUpTo(slice, angles.x), shareUpTo(slice, angles.y));
 }
 
 // Blocks the sectors of all intervals of one texel. `blocked` gathers their weight.
@@ -206,7 +211,7 @@ void blockTexel(Receiver p, Slice slice, Side side, Texel texel, Ray from, Ray t
     w.width = width;
     // The texel's own plane, its horizon aligned to the slice's: a flat neighbour then lies exactly on
     // the horizon and hides nothing.
-    float shift = side.gamma - atan(dot(p.normal, w.across), dot(p.normal, p.toCentre));
+    float shift = side.plane - atan(dot(p.plane, w.across), dot(p.plane, p.toCentre));
     int layer = 0;
     vec4 interval = intervalAt(texel, layer);
     bool within = interval.x >= 0.0 && interval.x <= w.middle.ball.y;
@@ -263,16 +268,22 @@ vec2 blockedInSlice(Receiver p, vec3 tangent, float jitter) {
     }
     Slice slice;
     slice.gamma = atan(dot(projected, tangent), dot(projected, p.toCentre));
-    slice.low = sliceIntegral(slice.gamma - 0.5 * kPi, slice.gamma);
-    slice.span = sliceIntegral(slice.gamma + 0.5 * kPi, slice.gamma) - slice.low;
-    float share = 0.0;
-    uvec2 mask = uvec2(0u);
+    vec3 level = p.plane - dot(p.plane, across) * across;
+    float plane = atan(dot(level, tangent), dot(level, p.toCentre));
+    // Of all angles that it is, the one next to the plane's, which faces the centre.
+    slice.gamma += abs(plane - slice.gamma) > kPi ? 2.0 * kPi * sign(plane - slice.gamma) : 0.0;
+    slice.low = sliceIntegralBeyond(slice.gamma - 0.5 * kPi, slice.gamma);
+    slice.span = sliceIntegralBeyond(slice.gamma + 0.5 * kPi, slice.gamma) - slice.low;
+    // What of the hemisphere lies below the surface's own plane is blocked.
+    uvec2 mask = sectorsBetween(0.0, shareUpTo(slice, plane - 0.5 * kPi)) |
+                 sectorsBetween(shareUpTo(slice, plane + 0.5 * kPi), 1.0);
+    float share = shareSet(mask);
     float towardsCentre = -slice.low / slice.span; // F(0) = 0
     float sign = 1.0;
     do {
         uvec2 sectors = sign > 0.0 ? sectorsBetween(towardsCentre, 1.0)
                                    : sectorsBetween(0.0, towardsCentre);
-        Side side = Side(sign * tangent, sign, sign * slice.gamma, sectors);
+        Side side = Side(sign * tangent, sign, sign * plane, sectors);
         share += blockSide(p, slice, side, sign > 0.0 ? jitter : 1.0 - jitter, mask);
         sign -= 2.0;
     } while (sign >= -1.0);
@@ -283,13 +294,14 @@ vec2 blockedInSlice(Receiver p, vec3 tangent, float jitter) {
 // uSlices in all. Sums over all of them divide to 1 - W.
 // @param texel  that shows what lies towards the position
 // @param seed   another one for each receiver
-vec2 blockedLayeredIntervals(Texel texel, uint seed, vec3 position, vec3 normal, int first,
+vec2 blockedLayeredIntervals(Texel texel, uint seed, vec3 position, vec2 normals, int first,
                              int count) {
     Receiver p;
-    position += kLift * footprintAt(texel, position) * normal;
+    p.plane = decodePlane(normals);
+    p.normal = decodeShading(normals);
+    position += kLift * footprintAt(texel, position) * p.plane;
     p.distance = length(position);
     p.toCentre = -position / p.distance;
-    p.normal = normal;
     p.reach = uFalloff == 1 ? kExpReach * uRadius : uRadius;
     p.texel = texel;
     float turn = hash(seed);
@@ -308,7 +320,7 @@ vec2 blockedLayeredIntervals(Texel texel, uint seed, vec3 position, vec3 normal,
     return sum;
 }
 
-float visibilityLayeredIntervals(Texel texel, uint seed, vec3 position, vec3 normal) {
-    vec2 sum = blockedLayeredIntervals(texel, seed, position, normal, 0, uSlices);
+float visibilityLayeredIntervals(Texel texel, uint seed, vec3 position, vec2 normals) {
+    vec2 sum = blockedLayeredIntervals(texel, seed, position, normals, 0, uSlices);
     return sum.y > 0.0 ? 1.0 - sum.x / sum.y : 1.0;
 }

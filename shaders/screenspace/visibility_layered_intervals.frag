@@ -46,6 +46,6 @@ void main() {
         vec3 normal = worldNormalAt(texel.at) * uEyeToWorld;
         uint seed = uint(texel.at.x) + uint(uViewSize.x) * uint(texel.at.y);
         outBest.r = clamp(
-            visibilityLayeredIntervals(texel, seed, eyePositionAt(texel.at, t), normal), 0.0, 1.0);
+            visibilityLayeredIntervals(texel, seed, eyePositionAt(texel.at, t), encodeNormal(normal)), 0.0, 1.0);
     }
 }

@@ -13,4 +13,12 @@ AO_FUNCTION float sliceIntegral(float theta, float gamma) {
     return theta < 0.0f ? -f : f;
 }
 
+// The same up to a whole turn either way, for hemispheres that reach beyond -v.
+AO_FUNCTION float sliceIntegralBeyond(float theta, float gamma) {
+    float inside = sliceIntegral(theta, gamma);
+    float halfTurn = 3.14159265358979f * sin(gamma); // twice F at a half turn
+    float beyond = theta < 0.0f ? -inside + halfTurn : halfTurn - inside;
+    return abs(theta) > 3.14159265358979f ? beyond : inside;
+}
+
 AO_SHARED_END

@@ -1,6 +1,5 @@
 #include "backbone/Estimators.h"
 
-#include <algorithm>
 #include <limits>
 #include <numeric>
 
@@ -41,18 +40,12 @@ EstimatorTraits traitsOf(Estimator estimator) {
     return {};
 }
 
-bool raysTell(const Scene& scene) {
-    const auto& meshes = scene.meshes();
-    return !scene.drawn() && std::all_of(meshes.begin(), meshes.end(), [](const auto& mesh) {
-        return mesh.second.normals.empty();
-    });
-}
-
 Estimator chosenEstimator(const Options& options, const Scene& scene, bool tracer) {
     if (options.estimator != Estimator::Automatic) {
         return options.estimator;
     }
-    const bool traceable = options.backbone == Backbone::Cubemapped && tracer && raysTell(scene);
+    // Rays do not meet what a scene renderer draws.
+    const bool traceable = options.backbone == Backbone::Cubemapped && tracer && !scene.drawn();
     return traceable ? Estimator::RayTraced : Estimator::LayeredIntervals;
 }
 

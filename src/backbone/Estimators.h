@@ -20,9 +20,6 @@ EstimatorTraits traitsOf(Estimator estimator);
 /// a hundredth; else infinite.
 float occluderReach(Falloff falloff, float radius);
 
-/// Whether rays see all that is shaded, as it is shaded: triangles alone, about their own normals.
-bool raysTell(const Scene& scene);
-
 /// The estimator in force where the options leave the choice.
 /// @param tracer  whether the host gave one.
 Estimator chosenEstimator(const Options& options, const Scene& scene, bool tracer);

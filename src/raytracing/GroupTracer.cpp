@@ -47,16 +47,45 @@ double frameLength(const RayScene& scene, Falloff falloff, float radius) {
 
 /// Embree's packet, whether its lanes are to be traced, and the answer.
 struct GroupTracer::Packet {
+    explicit Packet(bool withPlanes) : planes(withPlanes) {}
+
     RTCRayHit16 rays{};
     alignas(64) int valid[lanes] = {};
     alignas(64) std::array<float, lanes> weights{};
+    const bool planes; ///< some lanes have planes
+    alignas(64) std::array<float, lanes> planeX{};
+    alignas(64) std::array<float, lanes> planeY{};
+    alignas(64) std::array<float, lanes> planeZ{};
+    alignas(64) std::array<int, lanes> below{}; ///< rays below them, -1 or 0
+    alignas(64) std::array<int, lanes> used{};
 
-    void setOrigin(std::size_t lane, const glm::vec3& origin) {
-        rays.ray.org_x[lane] = origin.x;
-        rays.ray.org_y[lane] = origin.y;
-        rays.ray.org_z[lane] = origin.z;
+    void setSurface(std::size_t lane, const TexelSurface& surface) {
+        rays.ray.org_x[lane] = surface.origin.x;
+        rays.ray.org_y[lane] = surface.origin.y;
+        rays.ray.org_z[lane] = surface.origin.z;
         rays.ray.mask[lane] = ~0U;
+        planeX[lane] = surface.plane.x;
+        planeY[lane] = surface.plane.y;
+        planeZ[lane] = surface.plane.z;
+        used[lane] = -1;
         valid[lane] = -1;
+    }
+
+    /// Takes the rays below the planes out of those to be traced.
+    void sortOutBelow() {
+        const RTCRay16& ray = rays.ray;
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+            const float above = ray.dir_x[lane] * planeX[lane] + ray.dir_y[lane] * planeY[lane] +
+                                ray.dir_z[lane] * planeZ[lane];
+            below[lane] = above < 0.0F ? used[lane] : 0;
+            valid[lane] = used[lane] & ~below[lane];
+        }
+    }
+
+    void closeBelow() {
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+            weights[lane] = below[lane] != 0 ? 1.0F : weights[lane];
+        }
     }
 };
 
@@ -110,9 +139,9 @@ void GroupTracer::spread(const SurfaceGroup& group, std::uint32_t start, int cou
 }
 
 void GroupTracer::traceCells(const SurfaceGroup& group, int count, bool coherent, Sums& sums) {
-    Packet packet;
+    Packet packet(group.planes);
     for (std::size_t texel = 0; texel < group.count; ++texel) {
-        packet.setOrigin(texel, group.surfaces[texel].origin);
+        packet.setSurface(texel, group.surfaces[texel]);
     }
     const auto cells = static_cast<std::size_t>(count);
     for (std::size_t cell = 0; cell < cells; ++cell) {
@@ -125,11 +154,11 @@ void GroupTracer::traceCells(const SurfaceGroup& group, int count, bool coherent
 }
 
 void GroupTracer::traceTexels(const SurfaceGroup& group, int count, Sums& sums) {
-    Packet packet;
+    Packet packet(group.planes);
     const auto rays = static_cast<std::size_t>(count);
     for (std::size_t texel = 0; texel < group.count; ++texel) {
         for (std::size_t lane = 0; lane < lanes; ++lane) {
-            packet.setOrigin(lane, group.surfaces[texel].origin);
+            packet.setSurface(lane, group.surfaces[texel]);
         }
         for (std::size_t first = 0; first < rays; first += lanes) {
             load(packet, texel * rays + first);
@@ -149,10 +178,20 @@ void GroupTracer::load(Packet& packet, std::size_t slot) const {
         ray.dir_z[lane] = z_[slot + lane];
         ray.tfar[lane] = length_;
     }
+    if (packet.planes) {
+        packet.sortOutBelow();
+    }
 }
 
-/// Traces the packet's rays.
+/// Traces the packet's rays and weighs them.
 void GroupTracer::weigh(Packet& packet, bool coherent) const {
+    trace(packet, coherent);
+    if (packet.planes) {
+        packet.closeBelow();
+    }
+}
+
+void GroupTracer::trace(Packet& packet, bool coherent) const {
     const auto coherence = coherent ? embree::Coherence::Coherent : embree::Coherence::Incoherent;
     RTCRay16& ray = packet.rays.ray;
     if (falloff_ != Falloff::Exp) {

@@ -24,7 +24,8 @@ public:
     GroupTracer(const RayScene& scene, Falloff falloff, float radius);
 
     /// Adds to each texel's sum the weights w(L) of its rays from `start` on, 0 for rays that
-    /// escape. `start` and `count` as in `RayChunk::fill()`.
+    /// escape, 1 for those below the plane of the texel's triangle. `start` and `count` as in
+    /// `RayChunk::fill()`.
     void trace(const SurfaceGroup& group, std::uint32_t start, int count, Sums& sums);
 
 private:
@@ -35,6 +36,7 @@ private:
     void traceTexels(const SurfaceGroup& group, int count, Sums& sums);
     void load(Packet& packet, std::size_t slot) const;
     void weigh(Packet& packet, bool coherent) const;
+    void trace(Packet& packet, bool coherent) const;
 
     static constexpr std::size_t slots = SurfaceGroup::capacity * RayChunk::capacity;
 

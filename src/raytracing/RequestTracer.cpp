@@ -18,6 +18,8 @@ namespace {
 constexpr int largestFace = 65536;
 constexpr int longestSequence = 1 << 30;
 constexpr int mostTexels = 1 << 24;
+/// Normals with at least this cosine are one: they differ by a microradian, as rounded to float.
+constexpr double sameCosine = 1.0 - 1e-12;
 /// Texels are visited in blocks of this edge, a packet's worth: what they see is close together.
 constexpr int blockEdge = 4;
 static_assert(std::size_t{blockEdge * blockEdge} == SurfaceFinder::packet);
@@ -141,9 +143,10 @@ bool RequestTracer::traceBlock(int column, int row) {
         const double touch = scene_.resolution(position, glm::dvec3(1.0));
         const glm::dvec3 lifted =
             position + seen[i]->hit.clearance * seen[i]->normal - touch * seen[i]->direction;
-        const RayPattern pattern = rayPattern(texels[i], seen[i]->normal);
-        group_.add(
-            {glm::vec3(scene_.toFrame(lifted)), glm::mat3(pattern.basis), pattern.seed, places[i]});
+        const RayPattern pattern = rayPattern(texels[i], seen[i]->shading);
+        const bool same = glm::dot(seen[i]->shading, seen[i]->normal) >= sameCosine;
+        group_.add({glm::vec3(scene_.toFrame(lifted)), glm::mat3(pattern.basis),
+                    same ? glm::vec3(0.0F) : glm::vec3(seen[i]->normal), pattern.seed, places[i]});
         if (group_.full() && !traceGroup()) {
             return false;
         }
@@ -193,7 +196,7 @@ bool RequestTracer::traceGroup() {
         result_.visibility[group_.surfaces[i].texel] =
             static_cast<float>(1.0 - sums[i] / double(request.rays));
     }
-    group_.count = 0;
+    group_.clear();
     return true;
 }
 

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "raytracing/EmbreeApi.h"
+#include "raytracing/ShadingNormal.h"
 #include "shared/cube_faces.h"
 
 namespace aolib {
@@ -40,9 +41,10 @@ SurfaceFinder::Ray SurfaceFinder::ray(const Texel& texel) const {
 
 /// Barycentrics are off by a rounding of the triangle's size, which may be that of the scene. In
 /// its plane, which is exact, the ray says where the point is, unless it runs along the plane.
-SurfaceFinder::Seen SurfaceFinder::seen(const Hit& hit, const Ray& ray) {
+SurfaceFinder::Seen SurfaceFinder::seen(const Hit& hit, const Ray& ray) const {
     const double slope = glm::dot(hit.normal, ray.direction);
-    Seen result{hit, slope > 0.0 ? -hit.normal : hit.normal, ray.direction};
+    const glm::dvec3 facing = slope > 0.0 ? -hit.normal : hit.normal;
+    Seen result{hit, facing, shadingNormal(scene_.mesh(), hit, facing), ray.direction};
     if (std::abs(slope) > leastSlope) {
         result.hit.distance = glm::dot(hit.position - ray.origin, hit.normal) / slope;
         result.hit.position = ray.origin + result.hit.distance * ray.direction;

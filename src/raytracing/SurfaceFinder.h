@@ -26,6 +26,7 @@ public:
     struct Seen {
         Hit hit;                   ///< `u` and `v` apart, on the texel's ray in double precision
         glm::dvec3 normal{0.0};    ///< of the hit, turned to the viewer
+        glm::dvec3 shading{0.0};   ///< the normal that visibility is about
         glm::dvec3 direction{0.0}; ///< in which it was seen, of length 1
     };
     using SeenList = std::array<std::optional<Seen>, packet>;
@@ -44,7 +45,7 @@ private:
         double farthest;
     };
     Ray ray(const Texel& texel) const;
-    static Seen seen(const Hit& hit, const Ray& ray);
+    Seen seen(const Hit& hit, const Ray& ray) const;
 
     const RayScene& scene_;
     const TexelRequest& request_;

@@ -30,10 +30,11 @@ TexelTracer::~TexelTracer() {
 }
 
 std::uint64_t TexelTracer::setScene(std::vector<glm::vec3> positions,
-                                    std::vector<std::uint32_t> indices) {
+                                    std::vector<std::uint32_t> indices,
+                                    std::vector<glm::vec3> normals) {
     // What it replaces is destroyed after the lock is released.
     std::optional<Numbered<TriangleMesh>> mesh;
-    mesh.emplace().content = {std::move(positions), {}, std::move(indices)};
+    mesh.emplace().content = {std::move(positions), std::move(normals), std::move(indices)};
     const std::scoped_lock lock(mutex_);
     mesh->number = ++given_;
     mesh_.swap(mesh);

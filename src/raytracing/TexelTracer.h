@@ -28,8 +28,8 @@ public:
     explicit TexelTracer(int threads);
     ~TexelTracer() override;
 
-    std::uint64_t setScene(std::vector<glm::vec3> positions,
-                           std::vector<std::uint32_t> indices) override;
+    std::uint64_t setScene(std::vector<glm::vec3> positions, std::vector<std::uint32_t> indices,
+                           std::vector<glm::vec3> normals) override;
     void request(std::vector<TexelRequest> queue) override;
     std::vector<TracedTexels> take(std::size_t most) override;
     bool wait(double milliseconds) override;

@@ -9,6 +9,8 @@
 #include <glm/matrix.hpp>
 #include <glm/vec4.hpp>
 
+#include "raytracing/ShadingNormal.h"
+
 namespace aolib {
 
 namespace {
@@ -59,7 +61,6 @@ public:
 
 private:
     EyeRay eyeRay(std::size_t pixel) const;
-    glm::dvec3 shadingNormal(const Hit& hit, const glm::dvec3& geometric) const;
 
     const VisibilityTracer& tracer_;
     const RayScene& scene_;
@@ -88,22 +89,6 @@ EyeRay PixelTracer::eyeRay(std::size_t pixel) const {
     return ray;
 }
 
-glm::dvec3 PixelTracer::shadingNormal(const Hit& hit, const glm::dvec3& geometric) const {
-    const TriangleMesh& mesh = scene_.mesh();
-    if (normals_ == NormalSource::Geometric || mesh.normals.empty()) {
-        return geometric;
-    }
-    const std::uint32_t* index = &mesh.indices[std::size_t{hit.triangle} * 3];
-    const glm::dvec3 normal = (1.0 - hit.u - hit.v) * glm::dvec3(mesh.normals[index[0]]) +
-                              hit.u * glm::dvec3(mesh.normals[index[1]]) +
-                              hit.v * glm::dvec3(mesh.normals[index[2]]);
-    const double length = glm::length(normal);
-    if (!(length > 0.0)) {
-        return geometric;
-    }
-    return glm::dot(normal, geometric) < 0.0 ? -normal / length : normal / length;
-}
-
 void PixelTracer::trace(std::size_t pixel, Picture& picture) const {
     const EyeRay ray = eyeRay(pixel);
     const std::optional<Hit> hit = scene_.intersect(ray.origin, ray.direction, 0.0, ray.length);
@@ -112,7 +97,8 @@ void PixelTracer::trace(std::size_t pixel, Picture& picture) const {
     }
     const glm::dvec3 geometric =
         glm::dot(hit->normal, ray.direction) > 0.0 ? -hit->normal : hit->normal;
-    const glm::dvec3 normal = shadingNormal(*hit, geometric);
+    const glm::dvec3 normal =
+        normals_ == NormalSource::Given ? shadingNormal(scene_.mesh(), *hit, geometric) : geometric;
     const glm::dvec3 lifted = hit->position + hit->clearance * geometric;
     const VisibilityEstimate estimated = tracer_.estimate({lifted, normal, 0.0}, pixel);
     picture.visibility[pixel] = static_cast<float>(estimated.visibility);

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "content/generated/GeneratedScenes.h"
-#include "host/ModelScene.h"
 
 namespace aolib::test {
 
@@ -31,7 +30,8 @@ NamedCamera cameraOf(const SceneView& view) {
 }
 
 RenderedScene::RenderedScene(const gl::Functions& gl, const ProcAddressLoader& loader,
-                             const Model& model, const Options& options, int width, int height)
+                             const Model& model, const Options& options, int width, int height,
+                             host::SceneNormals normals)
     : width_(width), height_(height) {
     auto ao = AmbientOcclusion::create(loader, options);
     auto framebuffer = host::HostFramebuffer::create(gl, {width, height, /*samples=*/0});
@@ -41,7 +41,7 @@ RenderedScene::RenderedScene(const gl::Functions& gl, const ProcAddressLoader& l
                       << renderer.status().message();
         return;
     }
-    const auto meshes = host::describeScene(*ao, model, host::SceneNormals::Geometric);
+    const auto meshes = host::describeScene(*ao, model, normals);
     EXPECT_TRUE(meshes.ok()) << meshes.status().message();
     ao_.emplace(std::move(*ao));
     framebuffer_.emplace(std::move(*framebuffer));

@@ -10,6 +10,7 @@
 #include "gl/Functions.h"
 #include "host/HostFramebuffer.h"
 #include "host/HostRenderer.h"
+#include "host/ModelScene.h"
 #include "image/Image.h"
 
 namespace aolib::test {
@@ -27,7 +28,8 @@ NamedCamera cameraOf(const SceneView& view);
 class RenderedScene {
 public:
     RenderedScene(const gl::Functions& gl, const ProcAddressLoader& loader, const Model& model,
-                  const Options& options, int width, int height);
+                  const Options& options, int width, int height,
+                  host::SceneNormals normals = host::SceneNormals::Geometric);
 
     AmbientOcclusion& ao() { return *ao_; }
     bool ready() const { return ao_ && framebuffer_ && renderer_; }

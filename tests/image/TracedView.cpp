@@ -18,7 +18,7 @@ constexpr float kSameSurface = 0.02F;
 } // namespace
 
 Picture traceView(const Model& model, const NamedCamera& camera, int width, int height,
-                  float radius, int rays) {
+                  float radius, int rays, NormalSource normals) {
     Result<RayScene> scene = RayScene::create(model.flattened());
     if (!scene) {
         ADD_FAILURE() << scene.status().message();
@@ -34,6 +34,7 @@ Picture traceView(const Model& model, const NamedCamera& camera, int width, int 
     settings.trace.rays = rays;
     settings.trace.radius = static_cast<double>(radius);
     settings.surfaces = true;
+    settings.normals = normals;
     Result<Picture> picture = tracePicture(*scene, view, settings);
     if (!picture) {
         ADD_FAILURE() << picture.status().message();

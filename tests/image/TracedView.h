@@ -8,7 +8,7 @@ namespace aolib::test {
 
 /// The ray-traced picture of a view, with the surfaces that it shows.
 Picture traceView(const Model& model, const NamedCamera& camera, int width, int height,
-                  float radius, int rays);
+                  float radius, int rays, NormalSource normals = NormalSource::Geometric);
 
 /// W as a picture.
 FloatImage visibilityOf(const Picture& picture);

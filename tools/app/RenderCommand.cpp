@@ -160,8 +160,7 @@ void addRenderCommand(CLI::App& program, MaybeFailure& failure) {
         "  aolib render town --cube-map 0,3,0 --cube-map 8,3,-4 --ao w.pfm\n"
         "  aolib render --case case.json --ao w.pfm --truth-rays 256\n"
         "  aolib render town --environment sunny --lit town.png\n"
-        "automatic is ray-traced, or layered-intervals in screen space and for the model's "
-        "own normals.\n"
+        "automatic is ray-traced, or layered-intervals in screen space.\n"
         "Times are wall clock, with the GPU's work done; the median of several frames.");
     command->callback([flags, &failure] { failure = run(*flags); });
 }

@@ -8,7 +8,7 @@ namespace {
 constexpr double kDefaultRadius = 0.1;
 /// The estimators that the tools take where the command line names none: the most accurate ones.
 constexpr Estimator kTraced = Estimator::RayTraced;
-constexpr Estimator kNotTraceable = Estimator::LayeredIntervals; ///< screen space, a host's normals
+constexpr Estimator kNotTraceable = Estimator::LayeredIntervals; ///< screen space
 /// Milliseconds per frame for them: a tool waits for the result, and only what is seen is computed.
 constexpr float kFrameBudget = 50.0F;
 
@@ -18,9 +18,7 @@ Options resolveOptions(const View& view, const OptionFlags& flags) {
     Options options = view.options;
     flags.apply(options, view.diagonal);
     if (options.estimator == Estimator::Automatic) {
-        const bool traceable = options.backbone == Backbone::Cubemapped &&
-                               view.normals == host::SceneNormals::Geometric;
-        options.estimator = traceable ? kTraced : kNotTraceable;
+        options.estimator = options.backbone == Backbone::Cubemapped ? kTraced : kNotTraceable;
     }
     if (!flags.given("frame-budget")) {
         options.frameBudget = options.estimator == Estimator::RayTraced ? kFrameBudget : 0.0F;

@@ -30,7 +30,9 @@ std::vector<SurfaceGroup> groupsOf(const RayScene& scene, const Receivers& seen,
         const int y = static_cast<int>(seen.pixels[i]) / size.width;
         const auto block = static_cast<std::size_t>(y / kBlock * columns + x / kBlock);
         groups[block].add({glm::vec3(scene.toFrame(seen.points[i].position)),
-                           glm::mat3(basisAbout(seen.points[i].normal)), sequenceSeed(0, x, y),
+                           glm::mat3(basisAbout(seen.points[i].normal)),
+                           {},
+                           sequenceSeed(0, x, y),
                            seen.pixels[i]});
     }
     std::erase_if(groups, [](const SurfaceGroup& group) { return group.count == 0; });

@@ -37,7 +37,7 @@ void appendShared(TriangleMesh& out, const ModelMesh& mesh, bool withNormals, bo
     if (withNormals) {
         const glm::mat3 matrix = normalMatrix(mesh.transform);
         for (const glm::vec3& n : mesh.normals) {
-            out.normals.push_back(unitOr(matrix * n, up));
+            out.normals.push_back(unitOr(matrix * n, glm::vec3(0.0F)));
         }
     }
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {

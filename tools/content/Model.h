@@ -46,8 +46,9 @@ struct Model {
     Bounds bounds() const;
     std::size_t triangleCount() const;
     /// All triangles in world space. Mirroring transforms flip the winding; normals go through the
-    /// inverse transpose. Where only some meshes have normals, the others get their faces' normals
-    /// (their vertices are then no longer shared between triangles).
+    /// inverse transpose; zero ones stay, which means that the triangle's own counts. Where only
+    /// some meshes have normals, the others get their faces' normals (their vertices are then no
+    /// longer shared between triangles).
     TriangleMesh flattened() const;
 };
 

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <chrono>
 
-#include "backbone/Estimators.h"
-
 namespace aolib {
 
 namespace {

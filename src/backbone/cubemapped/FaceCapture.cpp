@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "scene/WorldTriangles.h"
 #include "shared/cube_faces.h"
 
 namespace aolib {
@@ -26,12 +27,6 @@ glm::mat4 modelToCube(const glm::mat4& model, const glm::dvec3& centre) {
     glm::dmat4 m(model);
     m[3] -= glm::dvec4(centre, 0.0);
     return glm::mat4(m);
-}
-
-glm::mat3 normalMatrix(const glm::mat4& model) {
-    const glm::dmat3 m{glm::dmat4(model)};
-    const double determinant = glm::determinant(m);
-    return determinant != 0.0 ? glm::mat3(glm::transpose(glm::inverse(m))) : glm::mat3(m);
 }
 
 /// Whether a box reaches into a frustum, as ViewFace has it.
@@ -108,7 +103,7 @@ bool FaceCapture::draw(gl::GLSLShader& shader, int face) const {
         }
         const gl::VertexArray& triangles = instance.piece->triangles;
         shader.set("uModelToCube", modelToCube(instance.transform, centre_));
-        shader.set("uNormalMatrix", normalMatrix(instance.transform));
+        shader.set("uNormalMatrix", glm::mat3(normalMatrix(instance.transform)));
         shader.set("uHasNormals", triangles.hasNormals() ? 1 : 0);
         const bool turned = glm::determinant(glm::mat3(instance.transform)) < 0.0F;
         shader.set("uMirrored", turned != mirrored ? 1 : 0);

@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "backbone/Estimators.h"
-
 namespace aolib {
 
 PixelSources::Kind PixelSources::wanted() const {
@@ -12,8 +10,7 @@ PixelSources::Kind PixelSources::wanted() const {
     if (!options.cubeMaps.repair || context_.scene.meshes().empty() || context_.renderer) {
         return Kind::None;
     }
-    if (context_.tracer &&
-        (options.estimator == Estimator::RayTraced || (layered && raysTell(context_.scene)))) {
+    if (context_.tracer && options.estimator != Estimator::HorizonSplit) {
         return Kind::Traced;
     }
     return layered ? Kind::Layered : Kind::None;

@@ -4,7 +4,7 @@
 #include <iterator>
 #include <utility>
 
-#include <glm/mat4x4.hpp>
+#include "scene/WorldTriangles.h"
 
 namespace aolib {
 
@@ -34,22 +34,12 @@ Asker askerOf(std::uint64_t key) {
 } // namespace
 
 void TracerQueue::setScene(const Scene& scene) {
-    std::vector<glm::vec3> positions;
-    std::vector<std::uint32_t> indices;
-    for (const auto& [id, mesh] : scene.meshes()) {
-        const auto first = static_cast<std::uint32_t>(positions.size());
-        const glm::dmat4 transform(mesh.transform);
-        for (const glm::vec3& position : mesh.positions) {
-            positions.emplace_back(glm::dvec3(transform * glm::dvec4(position, 1.0)));
-        }
-        for (const std::uint32_t index : mesh.indices) {
-            indices.push_back(first + index);
-        }
-    }
     if (!tracer_.status()) {
         waiting_.clear(); // what failed has dropped all that was asked for
     }
-    scene_ = tracer_.setScene(std::move(positions), std::move(indices));
+    TriangleMesh all = worldTriangles(scene);
+    scene_ =
+        tracer_.setScene(std::move(all.positions), std::move(all.indices), std::move(all.normals));
 }
 
 void TracerQueue::request(Asker asker, std::vector<TexelRequest> queue) {

@@ -47,6 +47,14 @@ TEST(ModelTest, NormalsSurviveScalesOfZero) {
     EXPECT_LT(glm::distance(model.flattened().normals[0], glm::vec3(0, 1, 0)), 1e-6F);
 }
 
+TEST(ModelTest, ZeroNormalsStayZero) {
+    Model model{"m", {slanted()}};
+    model.meshes[0].normals[1] = glm::vec3(0.0F);
+    model.meshes[0].transform = glm::scale(glm::mat4(1.0F), {3.0F, 1.0F, 1.0F});
+    EXPECT_EQ(model.flattened().normals[1], glm::vec3(0.0F));
+    EXPECT_NEAR(glm::length(model.flattened().normals[0]), 1.0F, 1e-6F);
+}
+
 TEST(ModelTest, MeshesWithoutNormalsGetThoseOfTheirFaces) {
     Model model{"m", {slanted(), slanted()}};
     model.meshes[1].normals.clear();

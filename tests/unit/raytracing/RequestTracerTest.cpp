@@ -1,6 +1,7 @@
 #include "raytracing/RequestTracer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -101,6 +102,23 @@ TriangleMesh clutter(double scale = 1.0, const glm::dvec3& offset = glm::dvec3(0
     return mesh;
 }
 
+/// The normal that W is about at a hit, written out by hand.
+glm::dvec3 shadingNormalAt(const TriangleMesh& mesh, const Hit& hit, const glm::dvec3& geometric) {
+    if (mesh.normals.empty()) {
+        return geometric;
+    }
+    glm::dvec3 sum(0.0);
+    const std::array weights{1.0 - hit.u - hit.v, hit.u, hit.v};
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+        const std::uint32_t vertex = mesh.indices[3 * std::size_t{hit.triangle} + corner];
+        sum += weights[corner] * glm::dvec3(mesh.normals[vertex]);
+    }
+    if (glm::length(sum) == 0.0) {
+        return geometric;
+    }
+    return (glm::dot(sum, geometric) < 0.0 ? -1.0 : 1.0) * glm::normalize(sum);
+}
+
 /// RMSE of a result against the truth with 16384 rays at what the texels see.
 double errorAgainstTruth(const RayScene& scene, const TracedTexels& texels) {
     const TexelRequest& request = texels.request;
@@ -115,7 +133,8 @@ double errorAgainstTruth(const RayScene& scene, const TracedTexels& texels) {
             glm::dot(hit->normal, direction) > 0.0 ? -hit->normal : hit->normal;
         EXPECT_NEAR(glm::dot(glm::dvec3(texels.normal[i]), normal), 1.0, 1e-6);
         const glm::dvec3 lifted = hit->position + hit->clearance * normal;
-        const double w = truth->estimate({lifted, normal, 0.0}, i).visibility;
+        const glm::dvec3 shading = shadingNormalAt(scene.mesh(), *hit, normal);
+        const double w = truth->estimate({lifted, shading, 0.0}, i).visibility;
         squares += (w - texels.visibility[i]) * (w - texels.visibility[i]);
     });
     return std::sqrt(squares / double(seenCount(texels)));
@@ -133,6 +152,71 @@ TEST(RequestTracer, ConvergesToTheTruthInEveryFalloff) {
             EXPECT_LT(errorAgainstTruth(scene, texels), 0.003) << static_cast<int>(falloff);
         }
     }
+}
+
+/// A floor without normals, a ball of few facets with them, some of its vertices without, and a
+/// leaf that is lit from both sides.
+TriangleMesh smoothClutter() {
+    TriangleMesh mesh = test::floorAndWall(3.0);
+    mesh.normals.assign(mesh.positions.size(), glm::vec3(0.0F));
+    TriangleMesh ball = test::smoothSphere(1.0, 5, 7);
+    std::fill_n(ball.normals.begin() + 14, 7, glm::vec3(0.0F));
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    for (const glm::vec3& p : ball.positions) {
+        mesh.positions.push_back(p + glm::vec3(1.6F, 0.9F, 0.3F));
+    }
+    mesh.normals.insert(mesh.normals.end(), ball.normals.begin(), ball.normals.end());
+    for (const std::uint32_t i : ball.indices) {
+        mesh.indices.push_back(first + i);
+    }
+    test::addQuad(mesh, {2.6, 1.0, -1.5}, {1.2, 0.9, 0.0}, {0.0, 0.4, 3.0});
+    const glm::vec3 bent = glm::normalize(glm::vec3(-1.0F, 1.0F, 0.4F));
+    mesh.normals.insert(mesh.normals.end(), {bent, -bent, bent, glm::vec3(0.0F)});
+    return mesh;
+}
+
+TEST(RequestTracer, ConvergesToTheTruthAboutShadingNormals) {
+    const RayScene scene = sceneOf(smoothClutter());
+    for (const glm::dvec3& eye : {glm::dvec3(2.8, 2.4, 1.9), glm::dvec3(4.0, 0.6, -0.8)}) {
+        for (const Falloff falloff : {Falloff::Step, Falloff::Exp, Falloff::Off}) {
+            double worst = 0.0;
+            for (int face = 0; face < 6; ++face) {
+                const TracedTexels texels =
+                    traced(scene, faceRequest(eye, face, 4096, falloff, 1.5));
+                if (seenCount(texels) > 0) {
+                    worst = std::max(worst, errorAgainstTruth(scene, texels));
+                }
+            }
+            // The truth's own noise is about 0.001.
+            EXPECT_LT(worst, 0.003) << static_cast<int>(falloff);
+        }
+    }
+}
+
+/// A lone plane closes the part of a tilted hemisphere that lies below it.
+TEST(RequestTracer, RaysBelowTheTrianglesPlaneAreBlocked) {
+    TriangleMesh plane;
+    test::addQuad(plane, {-50.0, 0.0, -50.0}, {0.0, 0.0, 100.0}, {100.0, 0.0, 0.0});
+    const auto meanUnder = [&](const std::vector<glm::vec3>& normals, int rays, int size) {
+        plane.normals = normals;
+        const TracedTexels texels =
+            traced(sceneOf(plane), faceRequest({0.1, 2.0, 0.2}, 3, rays, Falloff::Off, 1.0, size));
+        EXPECT_EQ(texels.normal[0], glm::vec3(0.0F, 1.0F, 0.0F));
+        const auto count = static_cast<double>(texels.visibility.size());
+        return std::accumulate(texels.visibility.begin(), texels.visibility.end(), 0.0) / count;
+    };
+    for (const double degrees : {20.0, 45.0, 80.0}) {
+        const double angle = degrees * 3.14159265358979 / 180.0;
+        const glm::vec3 tilted(glm::dvec3(std::sin(angle), std::cos(angle), 0.0));
+        const double open = 0.5 * (1.0 + std::cos(angle));
+        EXPECT_NEAR(meanUnder(std::vector(4, tilted), 1024, 8), open, 0.002) << degrees;
+        EXPECT_NEAR(meanUnder(std::vector(4, -tilted), 1024, 8), open, 0.002) << "turned round";
+        // Packets of one texel, and of fewer rays than lanes.
+        EXPECT_NEAR(meanUnder(std::vector(4, tilted), 1024, 1), open, 0.006);
+        EXPECT_NEAR(meanUnder(std::vector(4, tilted), 8, 32), open, 0.005);
+    }
+    EXPECT_EQ(meanUnder(std::vector(4, glm::vec3(0.0F)), 64, 8), 1.0) << "the plane's own";
+    EXPECT_EQ(meanUnder(std::vector(4, glm::vec3(0.0F, 3.0F, 0.0F)), 64, 8), 1.0);
 }
 
 TEST(RequestTracer, ScaleAndDistanceFromTheOriginDoNotMatter) {

@@ -26,7 +26,7 @@ std::unique_ptr<AbstractTexelTracer> tracerOf(int threads) {
 }
 
 std::uint64_t setScene(AbstractTexelTracer& tracer, const TriangleMesh& mesh) {
-    return tracer.setScene(mesh.positions, mesh.indices);
+    return tracer.setScene(mesh.positions, mesh.indices, mesh.normals);
 }
 
 /// Tile number `key` of a cube map of 32 x 32 texels, 16 tiles a face.
@@ -66,7 +66,8 @@ std::vector<TracedTexels> takeAll(AbstractTexelTracer& tracer) {
 }
 
 TEST(TexelTracer, ResultsDoNotDependOnThreads) {
-    const TriangleMesh mesh = test::floorAndWall(2.0);
+    TriangleMesh mesh = test::floorAndWall(2.0);
+    mesh.normals.assign(mesh.positions.size(), glm::vec3(0.6F, 0.8F, 0.0F));
     const RayScene scene = test::sceneOf(mesh);
     for (const int threads : {1, 4}) {
         const auto tracer = tracerOf(threads);
@@ -293,6 +294,11 @@ TEST(TexelTracer, ARejectedSceneSaysWhy) {
     mesh = test::box();
     mesh.indices.pop_back();
     EXPECT_EQ(rejected(mesh), StatusCode::IncompletePrimitive);
+    mesh = test::box();
+    mesh.normals.assign(mesh.positions.size() - 1, glm::vec3(0.0F));
+    EXPECT_EQ(rejected(mesh), StatusCode::InvalidNormal);
+    mesh.normals.emplace_back(std::numeric_limits<float>::infinity());
+    EXPECT_EQ(rejected(mesh), StatusCode::InvalidNormal);
     setScene(*tracer, test::box());
     EXPECT_TRUE(tracer->status());
     tracer->request(tiles(0, 3));

@@ -55,16 +55,21 @@ TriangleMesh disc(double radius, double height, bool facingUp) {
 }
 
 TriangleMesh sphere(double radius) {
-    constexpr std::uint32_t rows = 256;
-    constexpr std::uint32_t columns = 512;
+    TriangleMesh mesh = smoothSphere(radius, 256, 512);
+    mesh.normals.clear();
+    return mesh;
+}
+
+TriangleMesh smoothSphere(double radius, std::uint32_t rows, std::uint32_t columns) {
     TriangleMesh mesh;
     for (std::uint32_t row = 0; row <= rows; ++row) {
         const double polar = std::numbers::pi * double(row) / double(rows);
         for (std::uint32_t column = 0; column < columns; ++column) {
             const double azimuth = 2.0 * std::numbers::pi * double(column) / double(columns);
-            mesh.positions.emplace_back(radius * glm::dvec3(std::sin(polar) * std::cos(azimuth),
-                                                            std::sin(polar) * std::sin(azimuth),
-                                                            std::cos(polar)));
+            const glm::dvec3 outward(std::sin(polar) * std::cos(azimuth),
+                                     std::sin(polar) * std::sin(azimuth), std::cos(polar));
+            mesh.positions.emplace_back(radius * outward);
+            mesh.normals.emplace_back(outward);
         }
     }
     for (std::uint32_t row = 0; row < rows; ++row) {

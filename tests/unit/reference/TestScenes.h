@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include <aolib/Options.h>
 #include <glm/vec3.hpp>
 
@@ -24,6 +26,9 @@ TriangleMesh disc(double radius, double height, bool facingUp = false);
 
 /// A sphere about the origin of 256 x 512 facets, normals outward.
 TriangleMesh sphere(double radius);
+
+/// The same of few facets, which look round by the normals at their corners.
+TriangleMesh smoothSphere(double radius, std::uint32_t rows, std::uint32_t columns);
 
 /// The box from -1 to 1, normals outward.
 TriangleMesh box();

@@ -5,6 +5,7 @@
 
 #include "shared/distance_code.h"
 #include "shared/falloff.h"
+#include "shared/normal_pair.h"
 #include "shared/octahedral.h"
 #include "shared/quality.h"
 
@@ -45,6 +46,41 @@ TEST(OctahedralTest, NormalsComeBack) {
     }
     for (const vec3 n : {vec3(0, 0, 1), vec3(0, 0, -1), vec3(1, 0, 0), vec3(0, -1, 0)}) {
         EXPECT_LT(length(decodeNormal(encodeNormal(n)) - n), 1e-6F);
+    }
+}
+
+TEST(NormalPairTest, BothNormalsComeBack) {
+    std::mt19937 random(1);
+    std::normal_distribution<float> normal;
+    const auto anywhere = [&] {
+        return normalize(vec3(normal(random), normal(random), normal(random)));
+    };
+    for (int i = 0; i < 100000; ++i) {
+        const vec3 plane = anywhere();
+        const vec3 shading = anywhere();
+        const vec2 pair = encodeNormals(plane, shading);
+        ASSERT_TRUE(isPair(pair));
+        ASSERT_EQ(pair, vec2(ivec2(pair))) << "whole numbers, which no target rounds";
+        ASSERT_LT(length(decodePlane(pair) - plane), 2e-4F);
+        ASSERT_LT(length(decodeShading(pair) - shading), 5e-3F);
+    }
+    const float diagonal = std::sqrt(0.5F);
+    for (const vec3 plane : {vec3(0, 0, 1), vec3(0, 0, -1), vec3(-1, 0, 0), vec3(0, 1, 0),
+                             vec3(diagonal, 0, -diagonal), vec3(0, -diagonal, diagonal)}) {
+        const vec2 pair = encodeNormals(plane, anywhere());
+        EXPECT_LT(length(decodePlane(pair) - plane), 1e-6F) << "no plane is tilted";
+    }
+}
+
+TEST(NormalPairTest, OneNormalIsBoth) {
+    std::mt19937 random(2);
+    std::normal_distribution<float> normal;
+    for (int i = 0; i < 1000; ++i) {
+        const vec3 n = normalize(vec3(normal(random), normal(random), normal(random)));
+        const vec2 alone = encodeNormal(n);
+        EXPECT_FALSE(isPair(alone));
+        EXPECT_EQ(decodePlane(alone), decodeNormal(alone));
+        EXPECT_EQ(decodeShading(alone), decodeNormal(alone));
     }
 }
 

@@ -25,6 +25,21 @@ TEST(SliceTest, IntegralIsTheAntiderivative) {
     }
 }
 
+TEST(SliceTest, IntegralGoesOnBeyondAHalfTurn) {
+    for (const double gamma : {-2.2, -0.3, 1.9}) {
+        for (const double end : {-5.5, -3.3, -1.0, 1.3, 4.0, 6.0}) {
+            constexpr int kSteps = 20000;
+            double sum = 0.0;
+            for (int i = 0; i < kSteps; ++i) {
+                const double theta = end * (i + 0.5) / kSteps;
+                sum += std::cos(theta - gamma) * std::abs(std::sin(theta)) * end / kSteps;
+            }
+            EXPECT_NEAR(sliceIntegralBeyond(float(end), float(gamma)), sum, 4e-6)
+                << "gamma " << gamma << " end " << end;
+        }
+    }
+}
+
 TEST(SliceTest, SlicesAddUpToTheHemisphere) {
     // Over half a turn of slices the cosine-weighted hemisphere is pi, whatever the viewing angle.
     for (const float tilt : {0.0F, 0.5F, 1.2F}) {

@@ -14,6 +14,8 @@ namespace aolib::gl {
 // Compatibility-profile functions, which the core header does not declare.
 using PixelTransferFunction = void(APIENTRY*)(GLenum, GLfloat);
 
+class ContextGroup;
+
 /// The GL functions of one context, one table per instance, and what that context can do.
 struct Functions {
 #define AOLIB_GL_MEMBER(type, name) type name = nullptr;
@@ -43,9 +45,14 @@ struct Functions {
         int maxClipDistances = 0;
     } capabilities;
 
+    /// The contexts that share the objects made by this table; null: there is but one.
+    ContextGroup* group = nullptr;
+
     /// Fills the table for the current context.
     /// Errors: NoContext, MissingCapability (older than 3.3, or a function is missing by name).
     static Result<Functions> load(const ProcAddressLoader& loader);
+    /// Asks the current context what it can do. Errors: MissingCapability (older than 3.3).
+    AoStatus readCapabilities();
 };
 
 } // namespace aolib::gl

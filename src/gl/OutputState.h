@@ -17,6 +17,9 @@ public:
     /// x, y, width, height of viewport 0, pixels, rounded as GL rounds it.
     const std::array<GLint, 4>& viewport() const { return viewport_; }
 
+    /// Near and far of viewport 0.
+    const std::array<GLdouble, 2>& depthRange() const { return depthRanges_.front(); }
+
 private:
     struct BlendState {
         std::array<GLint, 4> factors; ///< source RGB, destination RGB, source A, destination A

@@ -83,7 +83,9 @@ bool PixelReadback::poll(const Take& take) {
 void PixelReadback::cancel() {
     started_ = false;
     if (fence_ != nullptr) {
-        gl_->DeleteSync(std::exchange(fence_, nullptr));
+        release(*gl_, 0, [deleteSync = gl_->DeleteSync, fence = std::exchange(fence_, nullptr)] {
+            deleteSync(fence);
+        });
     }
 }
 

@@ -25,6 +25,10 @@ public:
     GLuint hostDrawFramebuffer() const { return static_cast<GLuint>(drawFramebuffer_); }
     /// x, y, width, height of viewport 0, pixels, rounded as GL rounds it.
     const std::array<GLint, 4>& hostViewport() const { return output_.viewport(); }
+    /// Near and far of viewport 0.
+    const std::array<GLdouble, 2>& hostDepthRange() const { return output_.depthRange(); }
+    GLenum hostClipOrigin() const { return static_cast<GLenum>(clipOrigin_); }
+    GLenum hostClipDepthMode() const { return static_cast<GLenum>(clipDepthMode_); }
     bool hostSrgb() const;
     /// Of viewport 0.
     bool hostScissor() const;
@@ -90,8 +94,8 @@ private:
     GLint frontFace_ = 0;
     GLint provokingVertex_ = 0;
     GLfloat lineWidth_ = 1.0F;
-    GLint clipOrigin_ = 0;
-    GLint clipDepthMode_ = 0;
+    GLint clipOrigin_ = GL_LOWER_LEFT;
+    GLint clipDepthMode_ = GL_NEGATIVE_ONE_TO_ONE;
     bool feedbackPaused_ = false;
 };
 

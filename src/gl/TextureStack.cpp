@@ -21,10 +21,14 @@ Result<TextureStack> TextureStack::create(const Functions& gl, const Settings& s
     stack.gl_ = &gl;
     stack.settings_ = settings;
     stack.texture_ = generate<Texture>(gl, &Functions::GenTextures);
-    stack.framebuffer_ = generate<Framebuffer>(gl, &Functions::GenFramebuffers);
-    if (!stack.texture_ || !stack.framebuffer_) {
-        return AoStatus(StatusCode::OutOfMemory, settings.label + ": GL gave no name");
+    if (!stack.texture_) {
+        return AoStatus(StatusCode::OutOfMemory, settings.label + ": GL gave no texture name");
     }
+    auto framebuffer = Container::create(gl, Container::kFramebuffer, settings.label);
+    if (!framebuffer) {
+        return framebuffer.status();
+    }
+    stack.framebuffer_ = std::move(*framebuffer);
     const TexelFormat texel = texelFormat(settings.format);
     stack.bind(0);
     gl::label(gl, GL_TEXTURE, stack.texture_.name(), settings.label);

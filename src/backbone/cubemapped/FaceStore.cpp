@@ -43,10 +43,11 @@ AoStatus FaceStore::grow() {
             {.width = size, .height = size, .layers = layers, .format = format, .label = label});
     };
     if (!framebuffer_) {
-        framebuffer_ = gl::generate<gl::Framebuffer>(*gl_, &gl::Functions::GenFramebuffers);
-        if (!framebuffer_) {
-            return {StatusCode::OutOfMemory, "aolib/faces: GL gave no framebuffer name"};
+        auto made = gl::Container::create(*gl_, gl::Container::kFramebuffer, "aolib/faces");
+        if (!made) {
+            return made.status();
         }
+        framebuffer_ = std::move(*made);
     }
     auto visibility = create(Format::R8, faceSize_, "aolib/faces/visibility");
     if (!visibility) {

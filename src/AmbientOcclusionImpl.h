@@ -58,6 +58,7 @@ struct AmbientOcclusion::Impl {
     /// Puts options into force, with the estimator that suits the scene and the tracer as they are.
     void enforce() {
         inForce = options;
+        gl.debugGroups = options.debugGroups;
         inForce.estimator = chosenEstimator(options, scene, tracer != nullptr);
     }
     /// Before the backbone works: the scene or the tracer may call for another estimator by now.
@@ -84,7 +85,7 @@ struct AmbientOcclusion::Impl {
         if (!scope.status()) {
             return scope.status();
         }
-        const gl::StateGuard guard(gl);
+        const gl::StateGuard guard(gl, {options.trust, /*everything=*/renderer != nullptr});
         if (AoStatus status = contexts.makeContainers(); !status) {
             return status;
         }

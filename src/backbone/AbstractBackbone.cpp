@@ -5,6 +5,7 @@
 
 #include "backbone/Estimators.h"
 #include "backbone/ShaderLibrary.h"
+#include "gl/StateGuard.h"
 
 namespace aolib {
 
@@ -137,6 +138,7 @@ Result<VisibilityImage> AbstractBackbone::readVisibility() {
     image.visibility.resize(static_cast<std::size_t>(image.width) *
                             static_cast<std::size_t>(image.height));
     visibility_.beginRead(0);
+    gl::usePixels(context_.gl);
     context_.gl.ReadPixels(0, 0, image.width, image.height, GL_RED, GL_FLOAT,
                            image.visibility.data());
     return image;

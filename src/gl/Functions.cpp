@@ -91,6 +91,7 @@ Functions::Capabilities capabilitiesOf(const Functions& gl, int version) {
     can.maxDrawBuffers = integer(gl, GL_MAX_DRAW_BUFFERS);
     can.maxViewports = can.viewportArray ? integer(gl, GL_MAX_VIEWPORTS) : 1;
     can.maxClipDistances = integer(gl, GL_MAX_CLIP_DISTANCES);
+    can.maxDebugGroups = can.debug ? integer(gl, GL_MAX_DEBUG_GROUP_STACK_DEPTH) : 0;
     return can;
 }
 

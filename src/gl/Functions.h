@@ -15,6 +15,7 @@ namespace aolib::gl {
 using PixelTransferFunction = void(APIENTRY*)(GLenum, GLfloat);
 
 class ContextGroup;
+class StateGuard;
 
 /// The GL functions of one context, one table per instance, and what that context can do.
 struct Functions {
@@ -43,10 +44,14 @@ struct Functions {
         int maxDrawBuffers = 0;
         int maxViewports = 1;
         int maxClipDistances = 0;
+        int maxDebugGroups = 0; ///< open at a time
     } capabilities;
 
     /// The contexts that share the objects made by this table; null: there is but one.
     ContextGroup* group = nullptr;
+    /// Where the host's state is while calls run; null: nothing is taken aside.
+    mutable StateGuard* guard = nullptr;
+    bool debugGroups = true; ///< passes are grouped for debuggers
 
     /// Fills the table for the current context.
     /// Errors: NoContext, MissingCapability (older than 3.3, or a function is missing by name).

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "gl/StateGuard.h"
+
 namespace aolib::gl {
 
 namespace {
@@ -9,11 +11,12 @@ namespace {
 /// Times that an answer is asked for in other contexts before it is given up: its own may be gone.
 constexpr int kPatience = 64;
 
-/// Takes a query buffer of the host's aside: with one bound, results go into it.
+/// Takes a query buffer of the host's aside, where no StateGuard has: with one bound, results go
+/// into it.
 class ResultsToMemory {
 public:
     explicit ResultsToMemory(const Functions& gl) : gl_(gl) {
-        if (gl_.capabilities.queryBuffer) {
+        if (gl_.capabilities.queryBuffer && gl_.guard == nullptr) {
             gl_.GetIntegerv(GL_QUERY_BUFFER_BINDING, &buffer_);
         }
         if (buffer_ != 0) {

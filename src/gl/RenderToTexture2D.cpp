@@ -4,6 +4,7 @@
 #include <array>
 
 #include "gl/Label.h"
+#include "gl/StateGuard.h"
 #include "gl/TexelFormat.h"
 
 namespace aolib::gl {
@@ -42,6 +43,7 @@ AoStatus RenderToTexture2D::addTexture(Texture& texture, GLenum internalFormat, 
     if (!texture) {
         return {StatusCode::OutOfMemory, label + ": GL gave no texture name"};
     }
+    usePixels(gl);
     bindTextureName(texture.name(), 0);
     gl::label(gl, GL_TEXTURE, texture.name(), label);
     gl.TexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internalFormat), settings_.width,
@@ -160,13 +162,14 @@ AoStatus RenderToTexture2D::become(const Functions& gl, const Settings& settings
 void RenderToTexture2D::begin(int target) const {
     gl_->BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
     gl_->DrawBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(target));
-    gl_->Viewport(0, 0, settings_.width, settings_.height);
+    setViewport(*gl_, 0, 0, settings_.width, settings_.height);
 }
 
 void RenderToTexture2D::beginAll() const {
+    useTargets(*gl_, static_cast<int>(textures_.size()));
     gl_->BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
     setDrawBuffers(*gl_, textures_.size());
-    gl_->Viewport(0, 0, settings_.width, settings_.height);
+    setViewport(*gl_, 0, 0, settings_.width, settings_.height);
 }
 
 void RenderToTexture2D::beginRead(int target) const {
@@ -175,8 +178,7 @@ void RenderToTexture2D::beginRead(int target) const {
 }
 
 void RenderToTexture2D::bindTextureName(GLuint name, int unit) const {
-    gl_->ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    gl_->BindTexture(GL_TEXTURE_2D, name);
+    gl::bindTexture(*gl_, unit, GL_TEXTURE_2D, name);
 }
 
 void RenderToTexture2D::bindTexture(int target, int unit) const {

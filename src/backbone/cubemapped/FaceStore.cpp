@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "gl/StateGuard.h"
+
 namespace aolib {
 
 namespace {
@@ -117,11 +119,12 @@ void FaceStore::giveBackReserved(int layer) {
 
 void FaceStore::begin(int layer) const {
     constexpr std::array<GLenum, 2> kBoth{GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+    gl::useTargets(*gl_, static_cast<int>(kBoth.size()));
     gl_->BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
     visibility_.attach(0, layer);
     depth_.attach(1, layer);
     gl_->DrawBuffers(static_cast<GLsizei>(kBoth.size()), kBoth.data());
-    gl_->Viewport(0, 0, faceSize_, faceSize_);
+    gl::setViewport(*gl_, 0, 0, faceSize_, faceSize_);
 }
 
 void FaceStore::beginRead(int layer, int which) const {

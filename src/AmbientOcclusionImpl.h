@@ -59,6 +59,7 @@ struct AmbientOcclusion::Impl {
     void enforce() {
         inForce = options;
         gl.debugGroups = options.debugGroups;
+        gl.trusted = options.trust;
         inForce.estimator = chosenEstimator(options, scene, tracer != nullptr);
     }
     /// Before the backbone works: the scene or the tracer may call for another estimator by now.

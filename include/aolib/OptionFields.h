@@ -97,6 +97,7 @@ void visitOptions(OptionsType& o, Visitor&& visit) {
     visit("outlines", o.cubeMaps.outlines, "draw a wire cube where each cube map stands");
     visit("blur", o.blur.enabled, "edge-aware blur of horizon-split and of screen space");
     visit("blur-size", o.blur.size, OptionRange{1, 15}, "edge length of the blur, pixels, odd");
+    visit("debug-view", o.debugView, kDebugViewChoices, "picture shown instead of the composite");
     visit("debug-groups", o.debugGroups, "group each pass's commands for debuggers");
     visit("trust-framebuffers", o.trust.framebuffers,
           "leave the framebuffer bindings to the host: not restored");
@@ -111,7 +112,6 @@ void visitOptions(OptionsType& o, Visitor&& visit) {
           "leave culling, polygon, line and sample state to the host");
     visit("trust-viewports", o.trust.viewports,
           "leave viewports, depth ranges and scissor tests to the host");
-    visit("debug-view", o.debugView, kDebugViewChoices, "picture shown instead of the composite");
 }
 
 } // namespace aolib

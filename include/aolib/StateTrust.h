@@ -9,7 +9,8 @@ namespace aolib {
 /// Since 0.1.
 struct StateTrust {
     bool framebuffers = false; ///< draw and read framebuffer
-    bool programs = false;     ///< program, vertex array, array buffer
+    bool programs = false;     ///< program (but while transform feedback runs), vertex array,
+                               ///< array buffer
     bool textures = false;     ///< 2D and 2D array textures and samplers of units 0 to 7, active
                                ///< unit
     bool pixels = false;       ///< pixel pack, unpack and query buffer, pixel store and transfer,

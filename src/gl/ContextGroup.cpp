@@ -24,14 +24,18 @@ std::string uniqueText() {
     return text.data();
 }
 
-/// Puts back the two bindings that recognising and marking a context need.
+/// Puts back the two bindings that recognising and marking a context need, unless they are trusted.
 class VertexBindings {
 public:
     explicit VertexBindings(const Functions& gl) : gl_(gl) {
-        gl_.GetIntegerv(GL_VERTEX_ARRAY_BINDING, &array_);
+        if (!gl_.trusted.programs) {
+            gl_.GetIntegerv(GL_VERTEX_ARRAY_BINDING, &array_);
+        }
     }
     ~VertexBindings() {
-        gl_.BindVertexArray(static_cast<GLuint>(array_));
+        if (array_ >= 0) {
+            gl_.BindVertexArray(static_cast<GLuint>(array_));
+        }
         if (buffer_ >= 0) {
             gl_.BindBuffer(GL_ARRAY_BUFFER, static_cast<GLuint>(buffer_));
         }
@@ -39,11 +43,15 @@ public:
     VertexBindings(const VertexBindings&) = delete;
     VertexBindings& operator=(const VertexBindings&) = delete;
 
-    void alsoBuffer() { gl_.GetIntegerv(GL_ARRAY_BUFFER_BINDING, &buffer_); }
+    void alsoBuffer() {
+        if (!gl_.trusted.programs) {
+            gl_.GetIntegerv(GL_ARRAY_BUFFER_BINDING, &buffer_);
+        }
+    }
 
 private:
     const Functions& gl_;
-    GLint array_ = 0;
+    GLint array_ = -1; ///< none was saved
     GLint buffer_ = -1;
 };
 

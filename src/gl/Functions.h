@@ -5,6 +5,7 @@
 #include <GL/glcorearb.h>
 
 #include <aolib/ProcAddressLoader.h>
+#include <aolib/StateTrust.h>
 #include <aolib/Status.h>
 
 #include "gl/FunctionList.h"
@@ -52,6 +53,7 @@ struct Functions {
     /// Where the host's state is while calls run; null: nothing is taken aside.
     mutable StateGuard* guard = nullptr;
     bool debugGroups = true; ///< passes are grouped for debuggers
+    StateTrust trusted{};    ///< what is neither queried nor restored outside of a StateGuard
 
     /// Fills the table for the current context.
     /// Errors: NoContext, MissingCapability (older than 3.3, or a function is missing by name).

@@ -16,10 +16,13 @@ constexpr int kPatience = 64;
 class ResultsToMemory {
 public:
     explicit ResultsToMemory(const Functions& gl) : gl_(gl) {
-        if (gl_.capabilities.queryBuffer && gl_.guard == nullptr) {
+        if (!gl_.capabilities.queryBuffer || gl_.guard != nullptr) {
+            return;
+        }
+        if (!gl_.trusted.pixels) {
             gl_.GetIntegerv(GL_QUERY_BUFFER_BINDING, &buffer_);
         }
-        if (buffer_ != 0) {
+        if (buffer_ != 0 || gl_.trusted.pixels) {
             gl_.BindBuffer(GL_QUERY_BUFFER, 0);
         }
     }

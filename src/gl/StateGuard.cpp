@@ -113,8 +113,10 @@ void StateGuard::restoreBindings() const {
         gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(drawFramebuffer_));
         gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(readFramebuffer_));
     }
-    if (!scope_.trusted.programs) {
+    if (!scope_.trusted.programs || feedbackPaused_) {
         gl_.UseProgram(static_cast<GLuint>(program_));
+    }
+    if (!scope_.trusted.programs) {
         gl_.BindVertexArray(static_cast<GLuint>(vertexArray_));
         gl_.BindBuffer(GL_ARRAY_BUFFER, static_cast<GLuint>(arrayBuffer_));
     }
@@ -170,6 +172,7 @@ void StateGuard::restoreRasterState() const {
 void StateGuard::pauseFeedback() {
     if (gl_.capabilities.pauseFeedback && queried(gl_, GL_TRANSFORM_FEEDBACK_ACTIVE) == GL_TRUE &&
         queried(gl_, GL_TRANSFORM_FEEDBACK_PAUSED) == GL_FALSE) {
+        program_ = queried(gl_, GL_CURRENT_PROGRAM); // to resume, it must be the same
         gl_.PauseTransformFeedback();
         feedbackPaused_ = true;
     }

@@ -52,22 +52,39 @@ Result<AmbientOcclusion> AmbientOcclusion::create(const ProcAddressLoader& loade
     if (!functions) {
         return functions.status();
     }
-    auto impl = std::make_unique<Impl>();
-    impl->gl = *functions;
+    auto impl = std::make_unique<Impl>(*functions);
     impl->options = options;
     impl->enforce();
-    const gl::StateGuard guard(impl->gl);
-    auto generated = gl::VertexArray::createEmpty(impl->gl, "aolib/generated");
-    if (!generated) {
-        return generated.status();
+    AoStatus status = impl->contexts.found();
+    if (status) {
+        status = impl->onCleanSlate([&](const gl::StateGuard& /*guard*/) { return impl->build(); });
     }
-    impl->generated = std::move(*generated);
-    auto backbone = makeBackbone(impl->context());
-    if (!backbone) {
-        return backbone.status();
+    if (!status) {
+        return status;
     }
-    impl->backbone = std::move(*backbone);
     return AmbientOcclusion(std::move(impl));
+}
+
+AoStatus AmbientOcclusion::Impl::build() {
+    if (!generated) {
+        auto made = gl::VertexArray::createEmpty(gl, "aolib/generated");
+        if (!made) {
+            return made.status();
+        }
+        generated = std::move(*made);
+    }
+    auto made = makeBackbone(context());
+    if (made) {
+        backbone = std::move(*made);
+    }
+    return made.status();
+}
+
+void AmbientOcclusion::abandon() {
+    if (impl_->report(impl_->allowed())) {
+        impl_->contexts.abandon();
+        impl_->drawing = false;
+    }
 }
 
 // ---- Options ------------------------------------------------------------------------------------
@@ -88,18 +105,15 @@ AoStatus AmbientOcclusion::setOptions(const Options& options) {
     const Options beforeInForce = impl_->inForce;
     impl_->enforce();
     if (before.backbone == options.backbone) {
+        const gl::ContextScope scope(impl_->contexts); // elsewhere, what is dropped waits
         impl_->backbone->optionsChanged(beforeInForce);
         return {};
     }
-    const gl::StateGuard guard(impl_->gl);
-    auto backbone = makeBackbone(impl_->context());
-    if (backbone) {
-        impl_->backbone = std::move(*backbone);
-        return {};
+    status = impl_->onCleanSlate([&](const gl::StateGuard& /*guard*/) { return impl_->build(); });
+    if (!status) {
+        impl_->options = before;
+        impl_->inForce = beforeInForce;
     }
-    status = backbone.status();
-    impl_->options = before;
-    impl_->inForce = beforeInForce;
     return impl_->report(std::move(status));
 }
 
@@ -107,6 +121,7 @@ void AmbientOcclusion::setTexelTracer(std::unique_ptr<AbstractTexelTracer> trace
     if (!impl_->report(impl_->allowed())) {
         return;
     }
+    const gl::ContextScope scope(impl_->contexts); // elsewhere, what is dropped waits
     impl_->backbone->dropTracer();
     impl_->tracer = std::move(tracer);
 }
@@ -271,6 +286,7 @@ AoStatus AmbientOcclusion::clear() {
 }
 
 std::vector<CubeMapInfo> AmbientOcclusion::cubeMaps() const {
+    const gl::ContextScope scope(impl_->contexts); // elsewhere, times stay as they were
     return impl_->backbone->cubeMaps();
 }
 
@@ -288,6 +304,9 @@ AoStatus AmbientOcclusion::aoDrawBegin() {
         return impl_->report({StatusCode::InvalidCallOrder,
                               "aoDrawBegin: a frame was begun already; end it with aoDrawEnd"});
     }
+    if (AoStatus status = impl_->contexts.check(); !status) {
+        return impl_->report(std::move(status));
+    }
     impl_->drawing = true;
     impl_->view.begin(impl_->gl);
     return {};
@@ -298,6 +317,9 @@ AoStatus AmbientOcclusion::aoDrawEnd(float x, float y, float z, ViewId id) {
         return impl_->report(std::move(status));
     }
     if (!impl_->drawing) {
+        if (AoStatus status = impl_->contexts.check(); !status) { // why none could be begun
+            return impl_->report(std::move(status));
+        }
         return impl_->report({StatusCode::InvalidCallOrder,
                               "aoDrawEnd: no frame was begun; call aoDrawBegin before drawing"});
     }
@@ -325,17 +347,18 @@ AoStatus AmbientOcclusion::removeView(ViewId id) {
 }
 
 AoStatus AmbientOcclusion::Impl::drawEnd(const glm::vec3& position, ViewId id) {
-    Result<Frame> frame = view.frameFrom(gl, position);
-    if (!frame) {
-        return frame.status();
-    }
-    const gl::StateGuard guard(gl);
-    if (AoStatus status = HostView::takeTarget(guard, *frame); !status) {
-        return status;
-    }
-    frame->view = id;
-    followChoice();
-    return backbone->drawEnd(*frame);
+    return onCleanSlate([&](const gl::StateGuard& guard) -> AoStatus {
+        Result<Frame> frame = view.frameFrom(gl, guard, position);
+        if (!frame) {
+            return frame.status();
+        }
+        if (AoStatus status = HostView::takeTarget(guard, *frame); !status) {
+            return status;
+        }
+        frame->view = id;
+        followChoice();
+        return backbone->drawEnd(*frame);
+    });
 }
 
 Result<TextureName> AmbientOcclusion::aoApply(const HostTextures& textures,
@@ -343,29 +366,34 @@ Result<TextureName> AmbientOcclusion::aoApply(const HostTextures& textures,
     if (AoStatus status = impl_->allowed(); !status) {
         return impl_->report(std::move(status));
     }
-    Result<Frame> frame = impl_->view.frameFrom(impl_->gl, position);
-    if (!frame) {
-        return impl_->report(frame.status());
-    }
-    const auto apply = [&]() -> Result<TextureName> {
-        const gl::StateGuard guard(impl_->gl);
+    return impl_->report(impl_->apply(textures, position, id));
+}
+
+Result<TextureName> AmbientOcclusion::Impl::apply(const HostTextures& textures,
+                                                  const glm::vec3& position, ViewId id) {
+    return onCleanSlate([&](const gl::StateGuard& guard) -> Result<TextureName> {
+        Result<Frame> frame = view.frameFrom(gl, guard, position);
+        if (!frame) {
+            return frame.status();
+        }
         frame->srgb = guard.hostSrgb();
         frame->view = id;
-        impl_->followChoice();
-        return impl_->backbone->apply(*frame, textures);
-    };
-    return impl_->report(apply());
+        followChoice();
+        return backbone->apply(*frame, textures);
+    });
 }
 
 // ---- Results ------------------------------------------------------------------------------------
 
 Statistics AmbientOcclusion::statistics() const {
+    const gl::ContextScope scope(impl_->contexts); // elsewhere, times stay as they were
     Statistics statistics = impl_->backbone->statistics();
     statistics.estimator = impl_->inForce.estimator;
     return statistics;
 }
 
 Statistics AmbientOcclusion::statistics(ViewId id) const {
+    const gl::ContextScope scope(impl_->contexts);
     Statistics statistics = impl_->backbone->statistics(id);
     statistics.estimator = impl_->inForce.estimator;
     return statistics;

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 
 #include <aolib/AmbientOcclusion.h>
 
 #include "HostView.h"
 #include "backbone/AbstractBackbone.h"
 #include "backbone/Estimators.h"
+#include "gl/ContextGroup.h"
 #include "gl/StateGuard.h"
 #include "scene/SceneBuilder.h"
 
@@ -14,9 +16,16 @@ namespace aolib {
 
 /// What an instance holds, and the ways in which its calls reach the backbone.
 struct AmbientOcclusion::Impl {
+    explicit Impl(const gl::Functions& functions) : gl(functions) { gl.group = &contexts; }
+    /// Deletes what the current context may delete, and touches nothing of any other.
+    ~Impl() { contexts.enterToDelete(); }
+    Impl(const Impl&) = delete;
+    Impl& operator=(const Impl&) = delete;
+
     gl::Functions gl;
-    Options options; ///< as the host gave them
-    Options inForce; ///< the same, with an estimator in place of Estimator::Automatic
+    gl::ContextGroup contexts{gl}; ///< outlives all that holds GL objects
+    Options options;               ///< as the host gave them
+    Options inForce;               ///< the same, with an estimator in place of Estimator::Automatic
     Scene scene;
     SceneBuilder builder;
     gl::VertexArray generated;
@@ -49,6 +58,8 @@ struct AmbientOcclusion::Impl {
     /// Puts options into force, with the estimator that suits the scene and the tracer as they are.
     void enforce() {
         inForce = options;
+        gl.debugGroups = options.debugGroups;
+        gl.trusted = options.trust;
         inForce.estimator = chosenEstimator(options, scene, tracer != nullptr);
     }
     /// Before the backbone works: the scene or the tracer may call for another estimator by now.
@@ -66,6 +77,21 @@ struct AmbientOcclusion::Impl {
                                     "not allowed within a callback of the same instance")
                          : AoStatus();
     }
+    /// A call that talks to GL, in a context that is known and on a clean slate.
+    /// @param call  is given the guard. Errors: NoContext, WrongContext, OutOfMemory and those of
+    /// the call.
+    template <typename Call>
+    auto onCleanSlate(Call call) -> decltype(call(std::declval<const gl::StateGuard&>())) {
+        const gl::ContextScope scope(contexts);
+        if (!scope.status()) {
+            return scope.status();
+        }
+        const gl::StateGuard guard(gl, {options.trust, /*everything=*/renderer != nullptr});
+        if (AoStatus status = contexts.makeContainers(); !status) {
+            return status;
+        }
+        return call(guard);
+    }
     /// A call to the backbone on a clean slate. Reports come after it: a message sink is the host's
     /// code and finds the host's state.
     template <typename Call>
@@ -73,14 +99,18 @@ struct AmbientOcclusion::Impl {
         if (AoStatus status = allowed(); !status) {
             return status;
         }
-        const gl::StateGuard guard(gl);
-        followChoice();
-        return call(*backbone);
+        return onCleanSlate([&](const gl::StateGuard& /*guard*/) -> decltype(call(*backbone)) {
+            followChoice();
+            return call(*backbone);
+        });
     }
 
+    /// Builds the backbone that the options name. Errors: as AmbientOcclusion::create().
+    AoStatus build();
     AoStatus prepare(const ProgressCallback& callback, std::span<const glm::vec3> positions);
     AoStatus tell(const ProgressCallback& callback, float progress);
     AoStatus drawEnd(const glm::vec3& position, ViewId id);
+    Result<TextureName> apply(const HostTextures& textures, const glm::vec3& position, ViewId id);
 };
 
 } // namespace aolib

@@ -74,7 +74,8 @@ Result<HostCamera> HostView::cameraAt(const gl::Functions& gl, const glm::vec3& 
                     "call aoSetCamera");
 }
 
-Result<Frame> HostView::frameFrom(const gl::Functions& gl, const glm::vec3& position) const {
+Result<Frame> HostView::frameFrom(const gl::Functions& gl, const gl::StateGuard& guard,
+                                  const glm::vec3& position) const {
     if (!isFinite(position)) {
         return AoStatus(StatusCode::InvalidCamera, "the camera's position must be finite");
     }
@@ -82,15 +83,9 @@ Result<Frame> HostView::frameFrom(const gl::Functions& gl, const glm::vec3& posi
     if (!found) {
         return found.status();
     }
-    ClipConvention clip;
-    if (gl.capabilities.clipControl) {
-        GLint value = 0;
-        gl.GetIntegerv(GL_CLIP_DEPTH_MODE, &value);
-        clip.zeroToOne = value == GL_ZERO_TO_ONE;
-        gl.GetIntegerv(GL_CLIP_ORIGIN, &value);
-        clip.upperLeft = value == GL_UPPER_LEFT;
-    }
-    gl.GetDoublev(GL_DEPTH_RANGE, clip.depthRange.data());
+    const ClipConvention clip{.zeroToOne = guard.hostClipDepthMode() == GL_ZERO_TO_ONE,
+                              .upperLeft = guard.hostClipOrigin() == GL_UPPER_LEFT,
+                              .depthRange = guard.hostDepthRange()};
     if (clip.depthRange[0] == clip.depthRange[1]) {
         return AoStatus(StatusCode::InvalidFramebuffer,
                         "glDepthRange is empty: depth holds no distances");

@@ -23,9 +23,11 @@ public:
     /// A frame begins. Without a camera, notes GL's matrices in a compatibility context.
     void begin(const gl::Functions& gl);
 
-    /// A frame seen from `position`, world units, but for what it is drawn to.
-    /// Errors: NoCamera, InvalidCamera, InvalidFramebuffer (an empty depth range).
-    Result<Frame> frameFrom(const gl::Functions& gl, const glm::vec3& position) const;
+    /// A frame seen from `position`, world units, but for what it is drawn to. Conventions are
+    /// those that the guard has saved. Errors: NoCamera, InvalidCamera, InvalidFramebuffer (an
+    /// empty depth range).
+    Result<Frame> frameFrom(const gl::Functions& gl, const gl::StateGuard& guard,
+                            const glm::vec3& position) const;
     /// What the host draws to, by what the guard has saved. Errors: InvalidFramebuffer (no pixels).
     static AoStatus takeTarget(const gl::StateGuard& guard, Frame& frame);
 

@@ -25,8 +25,13 @@ namespace aolib {
 /// Ambient occlusion for an OpenGL renderer: describe the scene once, wrap each frame.
 ///
 /// Every call reports an AoStatus and never throws, prints or aborts; a failed call leaves the
-/// scene, the cube maps and the host's GL state as they were. Calls that need OpenGL say "Context":
-/// they must run with the context current that was current at create(). One thread at a time.
+/// scene, the cube maps and the host's GL state as they were. One thread at a time.
+///
+/// Calls that need OpenGL say "Context". They work in the context that was current at create() and
+/// in each that shares objects with it, by turns and in any thread; commands of one context must
+/// have ended (glFinish, or a fence) before a call in another, as for all shared objects. Elsewhere
+/// they change nothing, of the instance or of the context: NoContext where none is current,
+/// WrongContext in one that shares nothing. Calls that do not say so may be made anywhere.
 class AOLIB_EXPORT AmbientOcclusion {
 public:
     /// Called with how much of a longer call is done, 0 to 1, never less than before. False stops
@@ -43,9 +48,17 @@ public:
                                            const Options& options = {});
 
     AmbientOcclusion(AmbientOcclusion&&) noexcept;
+    /// The former content ends as in the destructor.
     AmbientOcclusion& operator=(AmbientOcclusion&&) noexcept;
-    /// Deletes every GL object. Context.
+    /// Deletes every GL object that the current context may delete: all of them where the instance
+    /// has worked in one context and that is current. Framebuffers, vertex arrays and queries of
+    /// others, which GL does not share, end with those contexts. Without a context, or in one that
+    /// shares nothing, no object is deleted: they end with their own contexts.
     ~AmbientOcclusion();
+    /// Forgets every GL object without a call of GL: for a context that was lost or destroyed.
+    /// Calls that need a context answer NoContext from then on; the scene can still be edited.
+    /// Errors: InvalidCallOrder within the scene renderer, as lastStatus(). Since 0.1.
+    void abandon();
 
     // ---- Options ---------------------------------------------------------------------------
 

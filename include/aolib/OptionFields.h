@@ -98,6 +98,20 @@ void visitOptions(OptionsType& o, Visitor&& visit) {
     visit("blur", o.blur.enabled, "edge-aware blur of horizon-split and of screen space");
     visit("blur-size", o.blur.size, OptionRange{1, 15}, "edge length of the blur, pixels, odd");
     visit("debug-view", o.debugView, kDebugViewChoices, "picture shown instead of the composite");
+    visit("debug-groups", o.debugGroups, "group each pass's commands for debuggers");
+    visit("trust-framebuffers", o.trust.framebuffers,
+          "leave the framebuffer bindings to the host: not restored");
+    visit("trust-programs", o.trust.programs,
+          "leave program, vertex array and array buffer to the host");
+    visit("trust-textures", o.trust.textures,
+          "leave textures and samplers of units 0 to 7 to the host");
+    visit("trust-pixels", o.trust.pixels, "leave pixel buffers, store and transfer to the host");
+    visit("trust-depth", o.trust.depth, "leave depth and stencil tests to the host");
+    visit("trust-blending", o.trust.blending, "leave blending and colour masks to the host");
+    visit("trust-raster", o.trust.raster,
+          "leave culling, polygon, line and sample state to the host");
+    visit("trust-viewports", o.trust.viewports,
+          "leave viewports, depth ranges and scissor tests to the host");
 }
 
 } // namespace aolib

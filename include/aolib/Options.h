@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include <aolib/StateTrust.h>
+
 namespace aolib {
 
 /// How the weight of an occluder falls with its distance L: `w(L) = 1 - rho(L)`, thesis eq. 3.2.
@@ -117,6 +119,8 @@ struct Options {
     CubeMapOptions cubeMaps{};
     BlurOptions blur{};
     DebugView debugView = DebugView::Off;
+    bool debugGroups = true; ///< group each pass's commands for debuggers, where GL can
+    StateTrust trust{};      ///< parts of the GL state that need not be restored
 };
 
 } // namespace aolib

@@ -24,8 +24,8 @@ struct FaceView {
 ///
 /// State of the table in docs/integration.md need not be put back. What a guest cannot put back
 /// must be ended before the callback returns: queries, transform feedback, conditional rendering,
-/// debug groups. Calls to the same instance are refused meanwhile (InvalidCallOrder); an exception
-/// ends the call with CallbackFailed.
+/// debug groups; and the context that was current must be so again. Calls to the same instance are
+/// refused meanwhile (InvalidCallOrder); an exception ends the call with CallbackFailed.
 using SceneRenderer = std::function<void(const FaceView&)>;
 
 } // namespace aolib

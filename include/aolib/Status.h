@@ -25,7 +25,9 @@ enum class StatusCode : std::uint8_t {
     InvalidOption,       ///< an option lies outside its range
     InvalidFramebuffer,  ///< the host's framebuffer is incomplete, has no depth, or no size
     MissingCapability,   ///< the context lacks a function or a size that is needed
-    NoContext,           ///< no OpenGL context is current, or the loader knows no function
+    NoContext,           ///< no OpenGL context is current, the loader knows no function, or
+                         ///< abandon() was called
+    WrongContext,        ///< the current context shares nothing with the one of create()
     ShaderError,         ///< a shader did not compile or link; the message holds the driver's log
     OutOfMemory,    ///< GL could not give a texture, buffer or framebuffer of the size asked for
     Cancelled,      ///< the host's progress callback said so; there is no result
@@ -69,6 +71,8 @@ constexpr const char* statusName(StatusCode code) {
         return "MissingCapability";
     case StatusCode::NoContext:
         return "NoContext";
+    case StatusCode::WrongContext:
+        return "WrongContext";
     case StatusCode::ShaderError:
         return "ShaderError";
     case StatusCode::OutOfMemory:

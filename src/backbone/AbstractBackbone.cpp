@@ -5,6 +5,7 @@
 
 #include "backbone/Estimators.h"
 #include "backbone/ShaderLibrary.h"
+#include "gl/StateGuard.h"
 
 namespace aolib {
 
@@ -164,6 +165,7 @@ Result<VisibilityImage> AbstractBackbone::readVisibility(ViewState* view) {
     image.visibility.resize(static_cast<std::size_t>(image.width) *
                             static_cast<std::size_t>(image.height));
     from.beginRead(0);
+    gl::usePixels(context_.gl);
     context_.gl.ReadPixels(0, 0, image.width, image.height, GL_RED, GL_FLOAT,
                            image.visibility.data());
     return image;

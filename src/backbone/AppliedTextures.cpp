@@ -54,12 +54,13 @@ AoStatus complete(const gl::Functions& gl, TextureName texture, const char* role
     return {};
 }
 
-AoStatus makeFramebuffer(const gl::Functions& gl, gl::Framebuffer& framebuffer, const char* label) {
+AoStatus makeFramebuffer(const gl::Functions& gl, gl::Container& framebuffer, const char* label) {
     if (!framebuffer) {
-        framebuffer = gl::generate<gl::Framebuffer>(gl, &gl::Functions::GenFramebuffers);
-        if (!framebuffer) {
-            return {StatusCode::OutOfMemory, std::string(label) + ": GL gave no framebuffer name"};
+        auto made = gl::Container::create(gl, gl::Container::kFramebuffer, label);
+        if (!made) {
+            return made.status();
         }
+        framebuffer = std::move(*made);
     }
     gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
     gl::label(gl, GL_FRAMEBUFFER, framebuffer.name(), label);
@@ -157,7 +158,7 @@ AoStatus AppliedTextures::attach(const gl::Functions& gl, const HostTextures& te
 }
 
 void AppliedTextures::release(const gl::Functions& gl) {
-    for (const gl::Framebuffer* framebuffer : {&source_, &target_}) {
+    for (const gl::Container* framebuffer : {&source_, &target_}) {
         if (*framebuffer) {
             gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer->name());
             for (const GLenum attachment :

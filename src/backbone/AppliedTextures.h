@@ -31,8 +31,8 @@ private:
     AoStatus attachColour(const gl::Functions& gl, const HostTextures& textures);
     AoStatus clearFactor(const gl::Functions& gl, const glm::ivec2& size);
 
-    gl::Framebuffer source_; ///< depth, and normals as colour 0
-    gl::Framebuffer target_; ///< the host's colours
+    gl::Container source_; ///< depth, and normals as colour 0
+    gl::Container target_; ///< the host's colours
     gl::RenderToTexture2D factor_;
 };
 

@@ -4,37 +4,43 @@
 
 #include "backbone/ShaderLibrary.h"
 #include "gl/Label.h"
+#include "gl/StateGuard.h"
 
 namespace aolib {
 
 void beginHostColours(const BackboneContext& context, const Frame& frame) {
     const gl::Functions& gl = context.gl;
     gl.BindFramebuffer(GL_FRAMEBUFFER, frame.framebuffer);
-    gl.Viewport(frame.origin.x, frame.origin.y, frame.size.x, frame.size.y);
+    gl::setViewport(gl, frame.origin.x, frame.origin.y, frame.size.x, frame.size.y);
     // The host's alpha stays, and so do the other targets of a host that draws to several.
-    gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    const int targets = gl::drawBuffersInUse(gl);
+    gl::useTargets(gl, targets);
     gl.ColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
+    for (int i = 1; i < targets; ++i) {
+        gl.ColorMaski(static_cast<GLuint>(i), GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    }
     if (frame.srgb) {
         gl.Enable(GL_FRAMEBUFFER_SRGB);
     }
     if (frame.scissor) {
-        gl.Enable(GL_SCISSOR_TEST);
+        gl::setScissorTest(gl, true);
     }
 }
 
 void blendIntoHost(const BackboneContext& context) {
     const gl::Functions& gl = context.gl;
-    gl.Enable(GL_BLEND);
-    gl.BlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
+    gl::beginBlending(gl, GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
     context.generated.drawFullscreen();
-    gl.Disable(GL_BLEND);
+    gl::endBlending(gl);
 }
 
 void endHostColours(const BackboneContext& context) {
     const gl::Functions& gl = context.gl;
-    gl.Disable(GL_SCISSOR_TEST);
+    gl::setScissorTest(gl, false);
     gl.Disable(GL_FRAMEBUFFER_SRGB);
-    gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    for (int i = 0; i < gl.guard->output().targets(); ++i) {
+        gl.ColorMaski(static_cast<GLuint>(i), GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    }
 }
 
 Result<Composite> Composite::create(const BackboneContext& context) {

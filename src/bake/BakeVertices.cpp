@@ -79,6 +79,19 @@ private:
     const Facets* facets_;
 };
 
+void specify(const gl::Functions& gl, GLuint array, GLuint buffer) {
+    gl.BindVertexArray(array);
+    gl::label(gl, GL_VERTEX_ARRAY, array, "aolib/bake");
+    gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
+    constexpr std::array<std::size_t, 3> offsets{offsetof(Vertex, position),
+                                                 offsetof(Vertex, normal), offsetof(Vertex, place)};
+    for (GLuint location = 0; location < offsets.size(); ++location) {
+        gl.EnableVertexAttribArray(location);
+        gl.VertexAttribPointer(location, location == 2 ? 4 : 3, GL_FLOAT, GL_FALSE, sizeof(Vertex),
+                               reinterpret_cast<const void*>(offsets[location]));
+    }
+}
+
 } // namespace
 
 Result<BakeVertices> BakeVertices::create(const gl::Functions& gl, const BakeGeometry& geometry,
@@ -95,31 +108,29 @@ Result<BakeVertices> BakeVertices::create(const gl::Functions& gl, const BakeGeo
     }
     BakeVertices result;
     result.gl_ = &gl;
-    result.name_ = gl::generate<gl::VertexArrayName>(gl, &gl::Functions::GenVertexArrays);
-    if (!result.name_) {
-        return AoStatus(StatusCode::OutOfMemory, "aolib/bake: GL gave no vertex array name");
-    }
-    gl.BindVertexArray(result.name_.name());
-    gl::label(gl, GL_VERTEX_ARRAY, result.name_.name(), "aolib/bake");
     auto vertices =
         gl::Buffer::create(gl, GL_ARRAY_BUFFER, filler.vertices.size() * sizeof(Vertex),
                            filler.vertices.data(), GL_STATIC_DRAW, "aolib/bake/vertices");
     if (!vertices) {
         return vertices.status();
     }
-    constexpr std::array<std::size_t, 3> offsets{offsetof(Vertex, position),
-                                                 offsetof(Vertex, normal), offsetof(Vertex, place)};
-    for (GLuint location = 0; location < offsets.size(); ++location) {
-        gl.EnableVertexAttribArray(location);
-        gl.VertexAttribPointer(location, location == 2 ? 4 : 3, GL_FLOAT, GL_FALSE, sizeof(Vertex),
-                               reinterpret_cast<const void*>(offsets[location]));
-    }
-    auto indices = gl::Buffer::create(gl, GL_ELEMENT_ARRAY_BUFFER,
-                                      filler.indices.size() * sizeof(std::uint32_t),
-                                      filler.indices.data(), GL_STATIC_DRAW, "aolib/bake/indices");
+    // As vertices: the binding of indices belongs to the vertex array that is current.
+    auto indices =
+        gl::Buffer::create(gl, GL_ARRAY_BUFFER, filler.indices.size() * sizeof(std::uint32_t),
+                           filler.indices.data(), GL_STATIC_DRAW, "aolib/bake/indices");
     if (!indices) {
         return indices.status();
     }
+    auto name = gl::Container::create(
+        gl, gl::Container::kVertexArray, "aolib/bake",
+        [buffer = vertices->name()](const gl::Functions& in, GLuint array) -> AoStatus {
+            specify(in, array, buffer);
+            return {};
+        });
+    if (!name) {
+        return name.status();
+    }
+    result.name_ = std::move(*name);
     result.vertices_ = std::move(*vertices);
     result.indices_ = std::move(*indices);
     result.indexCount_ = static_cast<GLsizei>(filler.indices.size());

@@ -11,6 +11,7 @@
 #include "bake/BakeGeometry.h"
 #include "bake/LightView.h"
 #include "gl/Buffer.h"
+#include "gl/Container.h"
 #include "gl/GLSLShader.h"
 
 namespace aolib::bake {
@@ -52,7 +53,7 @@ public:
 
 private:
     const gl::Functions* gl_ = nullptr;
-    gl::VertexArrayName name_;
+    gl::Container name_;
     gl::Buffer vertices_;
     gl::Buffer indices_;
     GLsizei indexCount_ = 0;

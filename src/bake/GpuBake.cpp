@@ -20,8 +20,14 @@ Result<GpuBake> GpuBake::create(const ProcAddressLoader& loader, BakeScene scene
     if (!functions) {
         return functions.status();
     }
+    auto gl = std::make_unique<gl::Functions>(*functions);
+    auto contexts = std::make_unique<gl::ContextGroup>(*gl);
+    gl->group = contexts.get();
+    if (AoStatus status = contexts->found(); !status) {
+        return status;
+    }
     const BakeFrame frame(geometry->bounds());
-    return GpuBake{std::make_unique<gl::Functions>(*functions), std::move(*geometry), frame, {}};
+    return GpuBake{std::move(gl), std::move(contexts), std::move(*geometry), frame, {}};
 }
 
 glm::vec4 GpuBake::ground() const {
@@ -47,6 +53,9 @@ Result<int> GpuBake::addDirections(const DirectionPlan& plan, const BakeProgress
         if (progress && !progress(double(first - plan.first) / double(plan.last - plan.first))) {
             return cancelledBake();
         }
+        if (AoStatus status = contexts->confirm(); !status) {
+            return status;
+        }
         views.clear();
         const int next = std::min(first + plan.atOnce, plan.last);
         for (int i = first; i < next; ++i) {
@@ -62,7 +71,11 @@ Result<int> GpuBake::addDirections(const DirectionPlan& plan, const BakeProgress
             }
             gl->Finish();
         }
-        if (goOn && !goOn(next - plan.first)) {
+        const bool enough = goOn && !goOn(next - plan.first);
+        if (AoStatus status = contexts->confirm(); !status) {
+            return status;
+        }
+        if (enough) {
             return next - plan.first;
         }
     }

@@ -15,7 +15,7 @@
 #include "bake/CheckOptions.h"
 #include "bake/LightView.h"
 #include "bake/Reach.h"
-#include "gl/Functions.h"
+#include "gl/ContextGroup.h"
 
 namespace aolib::bake {
 
@@ -36,6 +36,7 @@ using AddViews = std::function<AoStatus(std::span<const LightView> views)>;
 /// What every baker on the GPU has, and does.
 struct GpuBake {
     std::unique_ptr<gl::Functions> gl; ///< in one place: GL objects refer to it
+    std::unique_ptr<gl::ContextGroup> contexts;
     BakeGeometry geometry;
     BakeFrame frame;
     Reach reach = {}; ///< of occluders
@@ -50,7 +51,8 @@ struct GpuBake {
     Result<BakeVertices> upload(int width, int height, const Facets* facets) const;
     /// Goes through the directions, giving the host its GL state and the word in between.
     /// @param goOn  told how many there are so far; false: they are enough.
-    /// @return how many there are. Errors: Cancelled, and those of `add`.
+    /// @return how many there are. Errors: Cancelled, WrongContext and NoContext (of a callback
+    /// that left it so), and those of `add`.
     Result<int> addDirections(const DirectionPlan& plan, const BakeProgress& progress,
                               const AddViews& add,
                               const std::function<bool(int done)>& goOn = {}) const;

@@ -59,6 +59,10 @@ Result<std::vector<BakedMap>> ScatterBaker::bakeMaps(const MapOptions& options,
     if (AoStatus status = check(options); !status) {
         return status;
     }
+    const gl::ContextScope scope(*gpu_.contexts);
+    if (!scope.status()) {
+        return scope.status();
+    }
     ScatterMaps bake(gpu_, options_, options);
     if (AoStatus status = bake.run(progress, watch); !status) {
         return status;
@@ -120,6 +124,10 @@ Result<std::vector<BakedVertices>> ScatterBaker::bakeVertices(const VertexOption
             StatusCode::MissingCapability,
             "scattered points lie all over the triangles: VertexFit::Direct takes their "
             "mean about each vertex, LeastSquares fits them");
+    }
+    const gl::ContextScope scope(*gpu_.contexts);
+    if (!scope.status()) {
+        return scope.status();
     }
     const VertexWeld weld = weldVertices(gpu_.geometry);
     VertexSums sums(gpu_.geometry, gpu_.frame, weld, gpu_.ground());

@@ -95,6 +95,10 @@ Result<std::vector<BakedMap>> ShadowBaker::bakeMaps(const MapOptions& options,
     if (AoStatus status = check(options); !status) {
         return status;
     }
+    const gl::ContextScope scope(*gpu_.contexts);
+    if (!scope.status()) {
+        return scope.status();
+    }
     const Result<BakeVertices> vertices = gpu_.upload(options.width, options.height, nullptr);
     if (!vertices) {
         return vertices.status();
@@ -169,6 +173,10 @@ Result<std::vector<BakedVertices>> ShadowBaker::bakeVertices(const VertexOptions
     if (AoStatus status = check(options); !status) {
         return status;
     }
+    const gl::ContextScope scope(*gpu_.contexts);
+    if (!scope.status()) {
+        return scope.status();
+    }
     const auto trace = [&](const std::vector<SurfacePoint>& points) {
         return valuesAt(points, progress);
     };
@@ -189,6 +197,10 @@ Result<BakedMap> ShadowBaker::bakeView(const ViewPixels& view, const BakeProgres
     const Result<std::vector<SurfacePoint>> points = receiversOf(view);
     if (!points) {
         return points.status();
+    }
+    const gl::ContextScope scope(*gpu_.contexts);
+    if (!scope.status()) {
+        return scope.status();
     }
     const Result<std::vector<glm::vec4>> values = valuesAt(*points, progress);
     if (values && progress) {

@@ -81,15 +81,19 @@
     X(PFNGLGETQUERYOBJECTUI64VPROC, GetQueryObjectui64v)                                           \
     X(PFNGLGETQUERYIVPROC, GetQueryiv)                                                             \
     X(PFNGLGETSHADERINFOLOGPROC, GetShaderInfoLog)                                                 \
+    X(PFNGLGETSHADERSOURCEPROC, GetShaderSource)                                                   \
     X(PFNGLGETSHADERIVPROC, GetShaderiv)                                                           \
     X(PFNGLGETSTRINGPROC, GetString)                                                               \
     X(PFNGLGETSTRINGIPROC, GetStringi)                                                             \
     X(PFNGLGETTEXIMAGEPROC, GetTexImage)                                                           \
     X(PFNGLGETTEXLEVELPARAMETERIVPROC, GetTexLevelParameteriv)                                     \
     X(PFNGLGETUNIFORMLOCATIONPROC, GetUniformLocation)                                             \
+    X(PFNGLGETVERTEXATTRIBIVPROC, GetVertexAttribiv)                                               \
     X(PFNGLISENABLEDPROC, IsEnabled)                                                               \
     X(PFNGLISENABLEDIPROC, IsEnabledi)                                                             \
+    X(PFNGLISSHADERPROC, IsShader)                                                                 \
     X(PFNGLISTEXTUREPROC, IsTexture)                                                               \
+    X(PFNGLISVERTEXARRAYPROC, IsVertexArray)                                                       \
     X(PFNGLLINEWIDTHPROC, LineWidth)                                                               \
     X(PFNGLLINKPROGRAMPROC, LinkProgram)                                                           \
     X(PFNGLMAPBUFFERRANGEPROC, MapBufferRange)                                                     \

@@ -11,6 +11,8 @@ namespace aolib::gl {
 
 namespace {
 
+constexpr int kLeastVersion = 33; // major * 10 + minor
+
 template <typename Function>
 void loadFunction(const ProcAddressLoader& loader, const char* name, Function& function) {
     void* address = loader(name);
@@ -89,6 +91,7 @@ Functions::Capabilities capabilitiesOf(const Functions& gl, int version) {
     can.maxDrawBuffers = integer(gl, GL_MAX_DRAW_BUFFERS);
     can.maxViewports = can.viewportArray ? integer(gl, GL_MAX_VIEWPORTS) : 1;
     can.maxClipDistances = integer(gl, GL_MAX_CLIP_DISTANCES);
+    can.maxDebugGroups = can.debug ? integer(gl, GL_MAX_DEBUG_GROUP_STACK_DEPTH) : 0;
     return can;
 }
 
@@ -115,17 +118,24 @@ Result<Functions> Functions::load(const ProcAddressLoader& loader) {
         return AoStatus(StatusCode::NoContext,
                         "no OpenGL context is current, or the loader does not belong to it");
     }
-    const int version = versionOf(gl);
-    if (version < 33) {
-        return AoStatus(StatusCode::MissingCapability,
-                        std::string("OpenGL 3.3 is needed, this context is ") +
-                            reinterpret_cast<const char*>(gl.GetString(GL_VERSION)));
-    }
-    if (!missing.empty()) {
+    if (versionOf(gl) >= kLeastVersion && !missing.empty()) {
         return AoStatus(StatusCode::MissingCapability, "the loader does not know" + missing);
     }
-    gl.capabilities = capabilitiesOf(gl, version);
+    if (AoStatus status = gl.readCapabilities(); !status) {
+        return status;
+    }
     return gl;
+}
+
+AoStatus Functions::readCapabilities() {
+    const int version = versionOf(*this);
+    if (version < kLeastVersion) {
+        return {StatusCode::MissingCapability,
+                std::string("OpenGL 3.3 is needed, this context is ") +
+                    reinterpret_cast<const char*>(GetString(GL_VERSION))};
+    }
+    capabilities = capabilitiesOf(*this, version);
+    return {};
 }
 
 } // namespace aolib::gl

@@ -5,6 +5,7 @@
 #include <GL/glcorearb.h>
 
 #include <aolib/ProcAddressLoader.h>
+#include <aolib/StateTrust.h>
 #include <aolib/Status.h>
 
 #include "gl/FunctionList.h"
@@ -13,6 +14,9 @@ namespace aolib::gl {
 
 // Compatibility-profile functions, which the core header does not declare.
 using PixelTransferFunction = void(APIENTRY*)(GLenum, GLfloat);
+
+class ContextGroup;
+class StateGuard;
 
 /// The GL functions of one context, one table per instance, and what that context can do.
 struct Functions {
@@ -41,11 +45,21 @@ struct Functions {
         int maxDrawBuffers = 0;
         int maxViewports = 1;
         int maxClipDistances = 0;
+        int maxDebugGroups = 0; ///< open at a time
     } capabilities;
+
+    /// The contexts that share the objects made by this table; null: there is but one.
+    ContextGroup* group = nullptr;
+    /// Where the host's state is while calls run; null: nothing is taken aside.
+    mutable StateGuard* guard = nullptr;
+    bool debugGroups = true; ///< passes are grouped for debuggers
+    StateTrust trusted{};    ///< what is neither queried nor restored outside of a StateGuard
 
     /// Fills the table for the current context.
     /// Errors: NoContext, MissingCapability (older than 3.3, or a function is missing by name).
     static Result<Functions> load(const ProcAddressLoader& loader);
+    /// Asks the current context what it can do. Errors: MissingCapability (older than 3.3).
+    AoStatus readCapabilities();
 };
 
 } // namespace aolib::gl

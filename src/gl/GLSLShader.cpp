@@ -4,6 +4,7 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
+#include "gl/ContextGroup.h"
 #include "gl/Label.h"
 
 namespace aolib::gl {
@@ -65,7 +66,9 @@ GLSLShader& GLSLShader::operator=(GLSLShader&& other) noexcept {
 
 GLSLShader::~GLSLShader() {
     if (program_ != 0) {
-        gl_->DeleteProgram(program_);
+        release(*gl_, 0, [deleteProgram = gl_->DeleteProgram, program = program_] {
+            deleteProgram(program);
+        });
     }
 }
 

@@ -1,17 +1,28 @@
 #include "gl/GpuTimer.h"
 
+#include <utility>
+
+#include "gl/StateGuard.h"
+
 namespace aolib::gl {
 
 namespace {
 
-/// Takes a query buffer of the host's aside: with one bound, results go into it.
+/// Times that an answer is asked for in other contexts before it is given up: its own may be gone.
+constexpr int kPatience = 64;
+
+/// Takes a query buffer of the host's aside, where no StateGuard has: with one bound, results go
+/// into it.
 class ResultsToMemory {
 public:
     explicit ResultsToMemory(const Functions& gl) : gl_(gl) {
-        if (gl_.capabilities.queryBuffer) {
+        if (!gl_.capabilities.queryBuffer || gl_.guard != nullptr) {
+            return;
+        }
+        if (!gl_.trusted.pixels) {
             gl_.GetIntegerv(GL_QUERY_BUFFER_BINDING, &buffer_);
         }
-        if (buffer_ != 0) {
+        if (buffer_ != 0 || gl_.trusted.pixels) {
             gl_.BindBuffer(GL_QUERY_BUFFER, 0);
         }
     }
@@ -33,11 +44,12 @@ private:
 Result<GpuTimer> GpuTimer::create(const Functions& gl) {
     GpuTimer timer;
     timer.gl_ = &gl;
-    for (Query& query : timer.queries_) {
-        query = generate<Query>(gl, &Functions::GenQueries);
-        if (!query) {
-            return AoStatus(StatusCode::OutOfMemory, "GL gave no query name for a timer");
+    for (Container& query : timer.queries_) {
+        auto made = Container::create(gl, Container::kQuery, "aolib/timer");
+        if (!made) {
+            return made.status();
         }
+        query = std::move(*made);
     }
     return timer;
 }
@@ -47,11 +59,12 @@ void GpuTimer::begin() {
     if (state_ != State::Pending) { // also when what began last never came to its end
         gl_->QueryCounter(queries_[0].name(), GL_TIMESTAMP);
         state_ = State::Running;
+        context_ = currentContext(*gl_);
     }
 }
 
 void GpuTimer::end() {
-    if (state_ == State::Running) {
+    if (state_ == State::Running && context_ == currentContext(*gl_)) {
         gl_->QueryCounter(queries_[1].name(), GL_TIMESTAMP);
         state_ = State::Pending;
     }
@@ -61,6 +74,14 @@ double GpuTimer::milliseconds() {
     if (state_ != State::Pending) {
         return milliseconds_;
     }
+    if (context_ != currentContext(*gl_)) {
+        const bool inAnother = currentContext(*gl_) != 0;
+        if (inAnother && ++askedElsewhere_ > kPatience) {
+            state_ = State::Idle;
+        }
+        return milliseconds_;
+    }
+    askedElsewhere_ = 0;
     const ResultsToMemory memory(*gl_); // also asked for outside a StateGuard
     GLint available = GL_FALSE;
     gl_->GetQueryObjectiv(queries_[1].name(), GL_QUERY_RESULT_AVAILABLE, &available);

@@ -4,12 +4,13 @@
 
 #include <aolib/Status.h>
 
-#include "gl/Handle.h"
+#include "gl/Container.h"
 
 namespace aolib::gl {
 
 /// Measures the GPU time between begin() and end() by two timestamps, which disturb no query that
-/// the host has running. The answer comes frames later and is never waited for.
+/// the host has running. The answer comes frames later and is never waited for. Only the context
+/// that measured has it: elsewhere it is on its way, until it is given up.
 class GpuTimer {
 public:
     GpuTimer() = default;
@@ -27,8 +28,10 @@ private:
     enum class State { Idle, Running, Pending };
 
     const Functions* gl_ = nullptr;
-    std::array<Query, 2> queries_;
+    std::array<Container, 2> queries_;
     State state_ = State::Idle;
+    ContextId context_ = 0; ///< whose queries measure
+    int askedElsewhere_ = 0;
     double milliseconds_ = -1.0;
 };
 

@@ -16,26 +16,25 @@ inline constexpr GLenum kPackInvert = 0x8758; // GL_PACK_INVERT_MESA
 inline constexpr GLenum kMapColor = 0x0D10;
 inline constexpr GLenum kMapStencil = 0x0D11;
 
-inline constexpr std::array kToggles{
+// What is switched off, by the parts of StateTrust. Offsets of lines and points say nothing to
+// polygons that are filled.
+inline constexpr std::array kDepthToggles{
     GLenum{GL_DEPTH_TEST},
     GLenum{GL_STENCIL_TEST},
-    GLenum{GL_CULL_FACE},
-    GLenum{GL_POLYGON_OFFSET_FILL},
-    GLenum{GL_POLYGON_OFFSET_LINE},
-    GLenum{GL_POLYGON_OFFSET_POINT},
-    GLenum{GL_POLYGON_SMOOTH},
-    GLenum{GL_LINE_SMOOTH},
-    GLenum{GL_SAMPLE_ALPHA_TO_COVERAGE},
-    GLenum{GL_SAMPLE_ALPHA_TO_ONE},
-    GLenum{GL_SAMPLE_COVERAGE},
-    GLenum{GL_SAMPLE_MASK},
-    GLenum{GL_COLOR_LOGIC_OP},
-    GLenum{GL_RASTERIZER_DISCARD},
-    GLenum{GL_PRIMITIVE_RESTART},
     GLenum{GL_DEPTH_CLAMP},
+};
+inline constexpr std::array kBlendToggles{
+    GLenum{GL_COLOR_LOGIC_OP},
     GLenum{GL_FRAMEBUFFER_SRGB},
     GLenum{GL_DITHER},
-    GLenum{GL_MULTISAMPLE},
+};
+inline constexpr std::array kRasterToggles{
+    GLenum{GL_CULL_FACE},           GLenum{GL_POLYGON_OFFSET_FILL},
+    GLenum{GL_POLYGON_SMOOTH},      GLenum{GL_LINE_SMOOTH},
+    GLenum{GL_SAMPLE_ALPHA_TO_ONE}, GLenum{GL_SAMPLE_ALPHA_TO_COVERAGE},
+    GLenum{GL_SAMPLE_COVERAGE},     GLenum{GL_SAMPLE_MASK},
+    GLenum{GL_MULTISAMPLE},         GLenum{GL_RASTERIZER_DISCARD},
+    GLenum{GL_PRIMITIVE_RESTART},
 };
 
 inline constexpr std::array kPixelStore{

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "gl/Functions.h"
+#include "gl/StateGuard.h"
 
 namespace aolib::gl {
 
@@ -19,11 +19,13 @@ public:
     DebugGroup(const Functions& gl, const char* name) : gl_(gl), pushed_(hasRoom(gl)) {
         if (pushed_) {
             gl_.PushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, -1, name);
+            count(gl_, 1);
         }
     }
     ~DebugGroup() {
         if (pushed_) {
             gl_.PopDebugGroup();
+            count(gl_, -1);
         }
     }
     DebugGroup(const DebugGroup&) = delete;
@@ -32,13 +34,23 @@ public:
 private:
     /// The host may have filled the stack of groups: a push would fail, and the pop be the host's.
     static bool hasRoom(const Functions& gl) {
+        return gl.capabilities.debug && gl.debugGroups &&
+               (gl.guard != nullptr ? roomUnder(*gl.guard, gl) : roomNow(gl)) > 0;
+    }
+    /// The host opens and closes none within a call: GL is asked once.
+    static int roomUnder(StateGuard& guard, const Functions& gl) {
+        guard.debugRoom = guard.debugRoom < 0 ? roomNow(gl) : guard.debugRoom;
+        return guard.debugRoom;
+    }
+    static int roomNow(const Functions& gl) {
         GLint depth = 0;
-        GLint limit = 0;
-        if (gl.capabilities.debug) {
-            gl.GetIntegerv(GL_DEBUG_GROUP_STACK_DEPTH, &depth);
-            gl.GetIntegerv(GL_MAX_DEBUG_GROUP_STACK_DEPTH, &limit);
+        gl.GetIntegerv(GL_DEBUG_GROUP_STACK_DEPTH, &depth);
+        return gl.capabilities.maxDebugGroups - depth;
+    }
+    static void count(const Functions& gl, int more) {
+        if (gl.guard != nullptr) {
+            gl.guard->debugRoom -= more;
         }
-        return depth < limit;
     }
 
     const Functions& gl_;

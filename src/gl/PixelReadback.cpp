@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "gl/StateGuard.h"
+
 namespace aolib::gl {
 
 PixelReadback::PixelReadback(PixelReadback&& other) noexcept
@@ -23,6 +25,7 @@ PixelReadback::~PixelReadback() {
 
 Result<PixelReadback> PixelReadback::create(const Functions& gl, std::size_t bytes,
                                             const std::string& label) {
+    usePixels(gl);
     Result<Buffer> buffer =
         Buffer::create(gl, GL_PIXEL_PACK_BUFFER, bytes, nullptr, GL_STREAM_READ, label);
     gl.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
@@ -36,6 +39,7 @@ Result<PixelReadback> PixelReadback::create(const Functions& gl, std::size_t byt
 }
 
 void PixelReadback::start(int width, int height, GLenum format, GLenum type) {
+    usePixels(*gl_);
     gl_->BindBuffer(GL_PIXEL_PACK_BUFFER, buffer_.name());
     gl_->ReadPixels(0, 0, width, height, format, type, nullptr);
     gl_->BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
@@ -61,6 +65,7 @@ bool PixelReadback::finish(const Take& take) {
         return false;
     }
     cancel();
+    usePixels(*gl_);
     gl_->BindBuffer(GL_PIXEL_PACK_BUFFER, buffer_.name());
     const void* pixels = gl_->MapBufferRange(
         GL_PIXEL_PACK_BUFFER, 0, static_cast<GLsizeiptr>(buffer_.bytes()), GL_MAP_READ_BIT);
@@ -83,7 +88,9 @@ bool PixelReadback::poll(const Take& take) {
 void PixelReadback::cancel() {
     started_ = false;
     if (fence_ != nullptr) {
-        gl_->DeleteSync(std::exchange(fence_, nullptr));
+        release(*gl_, 0, [deleteSync = gl_->DeleteSync, fence = std::exchange(fence_, nullptr)] {
+            deleteSync(fence);
+        });
     }
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "gl/Label.h"
+#include "gl/StateGuard.h"
 #include "gl/TexelFormat.h"
 
 namespace aolib::gl {
@@ -21,19 +22,28 @@ GLint glWrap(RenderToTexture2D::Wrap wrap) {
     return wrap == RenderToTexture2D::Wrap::Clamp ? GL_CLAMP_TO_EDGE : GL_REPEAT;
 }
 
+void setDrawBuffers(const Functions& gl, std::size_t count) {
+    std::array<GLenum, kMaxTargets> buffers{};
+    for (std::size_t i = 0; i < count; ++i) {
+        buffers[i] = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i);
+    }
+    gl.DrawBuffers(static_cast<GLsizei>(count), buffers.data());
+}
+
 GLint glFilter(RenderToTexture2D::Filter filter) {
     return filter == RenderToTexture2D::Filter::Nearest ? GL_NEAREST : GL_LINEAR;
 }
 
 } // namespace
 
-AoStatus RenderToTexture2D::addTexture(Texture& texture, GLenum attachment, GLenum internalFormat,
-                                       GLenum format, GLenum type, const std::string& label) {
+AoStatus RenderToTexture2D::addTexture(Texture& texture, GLenum internalFormat, GLenum format,
+                                       GLenum type, const std::string& label) {
     const Functions& gl = *gl_;
     texture = generate<Texture>(gl, &Functions::GenTextures);
     if (!texture) {
         return {StatusCode::OutOfMemory, label + ": GL gave no texture name"};
     }
+    usePixels(gl);
     bindTextureName(texture.name(), 0);
     gl::label(gl, GL_TEXTURE, texture.name(), label);
     gl.TexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internalFormat), settings_.width,
@@ -50,8 +60,52 @@ AoStatus RenderToTexture2D::addTexture(Texture& texture, GLenum attachment, GLen
                                              std::to_string(settings_.width) + " x " +
                                              std::to_string(settings_.height) + " texels"};
     }
-    gl.FramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, texture.name(), 0);
     return {};
+}
+
+AoStatus RenderToTexture2D::addFramebuffer() {
+    struct Attachment {
+        GLenum point;
+        GLuint texture;
+    };
+    std::vector<Attachment> attachments;
+    for (const Texture& texture : textures_) {
+        attachments.push_back(
+            {GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(attachments.size()), texture.name()});
+    }
+    const std::size_t colours = attachments.size();
+    if (depth_) {
+        attachments.push_back(
+            {static_cast<GLenum>(hasStencil(settings_.depth) ? GL_DEPTH_STENCIL_ATTACHMENT
+                                                             : GL_DEPTH_ATTACHMENT),
+             depth_.name()});
+    }
+    const auto fill = [attachments, colours, label = settings_.label](const Functions& gl,
+                                                                      GLuint name) -> AoStatus {
+        gl.BindFramebuffer(GL_FRAMEBUFFER, name);
+        gl::label(gl, GL_FRAMEBUFFER, name, label);
+        for (const Attachment& one : attachments) {
+            gl.FramebufferTexture2D(GL_FRAMEBUFFER, one.point, GL_TEXTURE_2D, one.texture, 0);
+        }
+        setDrawBuffers(gl, colours);
+        if (colours == 0) {
+            gl.ReadBuffer(GL_NONE);
+        }
+        if (const GLenum state = gl.CheckFramebufferStatus(GL_FRAMEBUFFER);
+            state != GL_FRAMEBUFFER_COMPLETE) {
+            return {StatusCode::MissingCapability,
+                    label +
+                        ": this driver cannot render to these formats (framebuffer "
+                        "status " +
+                        std::to_string(state) + ")"};
+        }
+        return {};
+    };
+    auto made = Container::create(*gl_, Container::kFramebuffer, settings_.label, fill);
+    if (made) {
+        framebuffer_ = std::move(*made);
+    }
+    return made.status();
 }
 
 Result<RenderToTexture2D> RenderToTexture2D::create(const Functions& gl, const Settings& settings) {
@@ -70,44 +124,27 @@ Result<RenderToTexture2D> RenderToTexture2D::create(const Functions& gl, const S
     RenderToTexture2D rtt;
     rtt.gl_ = &gl;
     rtt.settings_ = settings;
-    rtt.framebuffer_ = generate<Framebuffer>(gl, &Functions::GenFramebuffers);
-    if (!rtt.framebuffer_) {
-        return AoStatus(StatusCode::OutOfMemory, settings.label + ": GL gave no framebuffer name");
-    }
-    gl.BindFramebuffer(GL_FRAMEBUFFER, rtt.framebuffer_.name());
-    gl::label(gl, GL_FRAMEBUFFER, rtt.framebuffer_.name(), settings.label);
     for (std::size_t i = 0; i < settings.targets.size(); ++i) {
         const TexelFormat texel = texelFormat(settings.targets[i]);
         if (AoStatus status =
-                rtt.addTexture(rtt.textures_.emplace_back(),
-                               GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i), texel.internalFormat,
-                               texel.format, texel.type, settings.label + "/" + std::to_string(i));
+                rtt.addTexture(rtt.textures_.emplace_back(), texel.internalFormat, texel.format,
+                               texel.type, settings.label + "/" + std::to_string(i));
             !status) {
             return status;
         }
     }
     if (settings.depth != Depth::None) {
         const TexelFormat texel = texelFormat(settings.depth);
-        const GLenum attachment =
-            hasStencil(settings.depth) ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT;
-        if (AoStatus status = rtt.addTexture(rtt.depth_, attachment, texel.internalFormat,
-                                             texel.format, texel.type, settings.label + "/depth");
+        if (AoStatus status = rtt.addTexture(rtt.depth_, texel.internalFormat, texel.format,
+                                             texel.type, settings.label + "/depth");
             !status) {
             return status;
         }
     }
+    if (AoStatus status = rtt.addFramebuffer(); !status) {
+        return status;
+    }
     rtt.beginAll();
-    if (settings.targets.empty()) {
-        gl.ReadBuffer(GL_NONE);
-    }
-    if (const GLenum state = gl.CheckFramebufferStatus(GL_FRAMEBUFFER);
-        state != GL_FRAMEBUFFER_COMPLETE) {
-        return AoStatus(StatusCode::MissingCapability,
-                        settings.label +
-                            ": this driver cannot render to these formats (framebuffer "
-                            "status " +
-                            std::to_string(state) + ")");
-    }
     return rtt;
 }
 
@@ -125,18 +162,14 @@ AoStatus RenderToTexture2D::become(const Functions& gl, const Settings& settings
 void RenderToTexture2D::begin(int target) const {
     gl_->BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
     gl_->DrawBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(target));
-    gl_->Viewport(0, 0, settings_.width, settings_.height);
+    setViewport(*gl_, 0, 0, settings_.width, settings_.height);
 }
 
 void RenderToTexture2D::beginAll() const {
-    std::array<GLenum, kMaxTargets> buffers{};
-    const std::size_t count = textures_.size();
-    for (std::size_t i = 0; i < count; ++i) {
-        buffers[i] = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i);
-    }
+    useTargets(*gl_, static_cast<int>(textures_.size()));
     gl_->BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
-    gl_->DrawBuffers(static_cast<GLsizei>(count), buffers.data());
-    gl_->Viewport(0, 0, settings_.width, settings_.height);
+    setDrawBuffers(*gl_, textures_.size());
+    setViewport(*gl_, 0, 0, settings_.width, settings_.height);
 }
 
 void RenderToTexture2D::beginRead(int target) const {
@@ -145,8 +178,7 @@ void RenderToTexture2D::beginRead(int target) const {
 }
 
 void RenderToTexture2D::bindTextureName(GLuint name, int unit) const {
-    gl_->ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    gl_->BindTexture(GL_TEXTURE_2D, name);
+    gl::bindTexture(*gl_, unit, GL_TEXTURE_2D, name);
 }
 
 void RenderToTexture2D::bindTexture(int target, int unit) const {

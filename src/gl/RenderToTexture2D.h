@@ -7,6 +7,7 @@
 
 #include <aolib/Status.h>
 
+#include "gl/Container.h"
 #include "gl/Handle.h"
 
 namespace aolib::gl {
@@ -78,7 +79,7 @@ public:
     GLuint textureName(int target) const {
         return textures_[static_cast<std::size_t>(target)].name();
     }
-    /// GL's name of the framebuffer.
+    /// GL's name of the framebuffer in the current context.
     GLuint framebufferName() const { return framebuffer_.name(); }
 
     int width() const { return settings_.width; }
@@ -91,13 +92,14 @@ public:
     explicit operator bool() const { return static_cast<bool>(framebuffer_); }
 
 private:
-    AoStatus addTexture(Texture& texture, GLenum attachment, GLenum internalFormat, GLenum format,
-                        GLenum type, const std::string& label);
+    AoStatus addTexture(Texture& texture, GLenum internalFormat, GLenum format, GLenum type,
+                        const std::string& label);
+    AoStatus addFramebuffer();
     void bindTextureName(GLuint name, int unit) const;
 
     const Functions* gl_ = nullptr;
     Settings settings_;
-    Framebuffer framebuffer_;
+    Container framebuffer_;
     std::vector<Texture> textures_;
     Texture depth_;
 };

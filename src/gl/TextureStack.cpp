@@ -1,6 +1,7 @@
 #include "gl/TextureStack.h"
 
 #include "gl/Label.h"
+#include "gl/StateGuard.h"
 #include "gl/TexelFormat.h"
 
 namespace aolib::gl {
@@ -21,11 +22,16 @@ Result<TextureStack> TextureStack::create(const Functions& gl, const Settings& s
     stack.gl_ = &gl;
     stack.settings_ = settings;
     stack.texture_ = generate<Texture>(gl, &Functions::GenTextures);
-    stack.framebuffer_ = generate<Framebuffer>(gl, &Functions::GenFramebuffers);
-    if (!stack.texture_ || !stack.framebuffer_) {
-        return AoStatus(StatusCode::OutOfMemory, settings.label + ": GL gave no name");
+    if (!stack.texture_) {
+        return AoStatus(StatusCode::OutOfMemory, settings.label + ": GL gave no texture name");
     }
+    auto framebuffer = Container::create(gl, Container::kFramebuffer, settings.label);
+    if (!framebuffer) {
+        return framebuffer.status();
+    }
+    stack.framebuffer_ = std::move(*framebuffer);
     const TexelFormat texel = texelFormat(settings.format);
+    usePixels(gl);
     stack.bind(0);
     gl::label(gl, GL_TEXTURE, stack.texture_.name(), settings.label);
     gl.TexImage3D(GL_TEXTURE_2D_ARRAY, 0, static_cast<GLint>(texel.internalFormat), settings.width,
@@ -58,7 +64,7 @@ void TextureStack::begin(int layer) const {
     gl_->BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
     gl_->FramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, texture_.name(), 0, layer);
     gl_->DrawBuffer(GL_COLOR_ATTACHMENT0);
-    gl_->Viewport(0, 0, settings_.width, settings_.height);
+    setViewport(*gl_, 0, 0, settings_.width, settings_.height);
 }
 
 void TextureStack::attach(int location, int layer) const {
@@ -70,6 +76,7 @@ void TextureStack::attach(int location, int layer) const {
 void TextureStack::upload(int layer, const glm::ivec2& at, const glm::ivec2& size,
                           const void* data) const {
     const TexelFormat texel = texelFormat(settings_.format);
+    usePixels(*gl_);
     bind(0);
     gl_->TexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, at.x, at.y, layer, size.x, size.y, 1, texel.format,
                        texel.type, data);
@@ -86,8 +93,7 @@ void TextureStack::copyFrom(const TextureStack& other) const {
 }
 
 void TextureStack::bind(int unit) const {
-    gl_->ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    gl_->BindTexture(GL_TEXTURE_2D_ARRAY, texture_.name());
+    gl::bindTexture(*gl_, unit, GL_TEXTURE_2D_ARRAY, texture_.name());
 }
 
 std::size_t TextureStack::bytes() const {

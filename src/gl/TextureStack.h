@@ -6,6 +6,7 @@
 #include <aolib/Status.h>
 #include <glm/vec2.hpp>
 
+#include "gl/Container.h"
 #include "gl/Handle.h"
 #include "gl/RenderToTexture2D.h"
 
@@ -46,7 +47,7 @@ private:
     const Functions* gl_ = nullptr;
     Settings settings_;
     Texture texture_;
-    Framebuffer framebuffer_;
+    Container framebuffer_;
 };
 
 } // namespace aolib::gl

@@ -1,5 +1,7 @@
 #include "gl/VertexArray.h"
 
+#include <array>
+
 #include "gl/Label.h"
 
 namespace aolib::gl {
@@ -7,52 +9,73 @@ namespace aolib::gl {
 Result<VertexArray> VertexArray::createEmpty(const Functions& gl, const std::string& label) {
     VertexArray array;
     array.gl_ = &gl;
-    array.name_ = generate<VertexArrayName>(gl, &Functions::GenVertexArrays);
-    if (!array.name_) {
-        return AoStatus(StatusCode::OutOfMemory, label + ": GL gave no vertex array name");
+    const auto fill = [label](const Functions& in, GLuint name) -> AoStatus {
+        in.BindVertexArray(name);
+        gl::label(in, GL_VERTEX_ARRAY, name, label);
+        return {};
+    };
+    auto name = Container::create(gl, Container::kVertexArray, label, fill);
+    if (!name) {
+        return name.status();
     }
-    gl.BindVertexArray(array.name_.name());
-    gl::label(gl, GL_VERTEX_ARRAY, array.name_.name(), label);
+    array.name_ = std::move(*name);
     return array;
 }
 
 Result<VertexArray> VertexArray::createTriangles(const Functions& gl, const Triangles& triangles,
                                                  const std::string& label) {
-    Result<VertexArray> created = createEmpty(gl, label);
-    if (!created) {
-        return created;
-    }
-    VertexArray& array = *created;
+    VertexArray array;
+    array.gl_ = &gl;
     AoStatus status;
-    const auto fill = [&](Buffer& buffer, GLenum target, auto content, const char* part) {
+    // All are vertices here: the binding of indices belongs to the vertex array that is current.
+    const auto fill = [&](Buffer& buffer, auto content, const char* part) {
         if (!status || content.empty()) {
             return;
         }
-        Result<Buffer> filled = Buffer::create(gl, target, content.size_bytes(), content.data(),
-                                               GL_STATIC_DRAW, label + part);
+        Result<Buffer> filled = Buffer::create(gl, GL_ARRAY_BUFFER, content.size_bytes(),
+                                               content.data(), GL_STATIC_DRAW, label + part);
         status = filled.status();
         if (filled) {
             buffer = std::move(*filled);
         }
     };
-    const auto attribute = [&](GLuint location, const Buffer& buffer, GLint components) {
-        if (status && buffer.bytes() != 0) {
-            gl.EnableVertexAttribArray(location);
-            gl.VertexAttribPointer(location, components, GL_FLOAT, GL_FALSE, 0, nullptr);
-        }
-    };
-    fill(array.positions_, GL_ARRAY_BUFFER, triangles.positions, "/positions");
-    attribute(0, array.positions_, 3);
-    fill(array.normals_, GL_ARRAY_BUFFER, triangles.normals, "/normals");
-    attribute(1, array.normals_, 3);
-    fill(array.solids_, GL_ARRAY_BUFFER, triangles.solids, "/solids");
-    attribute(2, array.solids_, 1);
-    fill(array.indices_, GL_ELEMENT_ARRAY_BUFFER, triangles.indices, "/indices");
+    fill(array.positions_, triangles.positions, "/positions");
+    fill(array.normals_, triangles.normals, "/normals");
+    fill(array.solids_, triangles.solids, "/solids");
+    fill(array.indices_, triangles.indices, "/indices");
     if (!status) {
         return status;
     }
+    struct Attribute {
+        GLuint buffer;
+        GLint components;
+    };
+    const std::array<Attribute, 3> attributes{Attribute{array.positions_.name(), 3},
+                                              Attribute{array.normals_.name(), 3},
+                                              Attribute{array.solids_.name(), 1}};
+    const auto specify = [attributes, indices = array.indices_.name(),
+                          label](const Functions& in, GLuint name) -> AoStatus {
+        in.BindVertexArray(name);
+        gl::label(in, GL_VERTEX_ARRAY, name, label);
+        for (GLuint location = 0; location < attributes.size(); ++location) {
+            const Attribute& attribute = attributes[location];
+            if (attribute.buffer != 0) {
+                in.BindBuffer(GL_ARRAY_BUFFER, attribute.buffer);
+                in.EnableVertexAttribArray(location);
+                in.VertexAttribPointer(location, attribute.components, GL_FLOAT, GL_FALSE, 0,
+                                       nullptr);
+            }
+        }
+        in.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices);
+        return {};
+    };
+    auto name = Container::create(gl, Container::kVertexArray, label, specify);
+    if (!name) {
+        return name.status();
+    }
+    array.name_ = std::move(*name);
     array.indexCount_ = static_cast<GLsizei>(triangles.indices.size());
-    return created;
+    return array;
 }
 
 void VertexArray::drawTriangles() const {

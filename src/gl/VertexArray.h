@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 
 #include "gl/Buffer.h"
+#include "gl/Container.h"
 
 namespace aolib::gl {
 
@@ -35,6 +36,7 @@ public:
     /// Covers the viewport with one triangle (fullscreen.vert).
     void drawFullscreen() const { drawGenerated(GL_TRIANGLES, 3); }
 
+    explicit operator bool() const { return static_cast<bool>(name_); }
     bool hasNormals() const { return normals_.bytes() != 0; }
     std::size_t bytes() const {
         return positions_.bytes() + normals_.bytes() + solids_.bytes() + indices_.bytes();
@@ -42,7 +44,7 @@ public:
 
 private:
     const Functions* gl_ = nullptr;
-    VertexArrayName name_;
+    Container name_;
     Buffer positions_;
     Buffer normals_;
     Buffer solids_;

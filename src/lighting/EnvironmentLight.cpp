@@ -3,13 +3,20 @@
 #include <new>
 #include <utility>
 
+#include "gl/ContextGroup.h"
 #include "gl/StateGuard.h"
 #include "lighting/LightTexture.h"
 
 namespace aolib::lighting {
 
 struct EnvironmentLight::Content {
+    explicit Content(const gl::Functions& functions) : gl(functions) { gl.group = &contexts; }
+    ~Content() { contexts.enterToDelete(); }
+    Content(const Content&) = delete;
+    Content& operator=(const Content&) = delete;
+
     gl::Functions gl; ///< before the textures, which refer to it
+    gl::ContextGroup contexts{gl};
     LightTexture cones;
     LightTexture sectors;
     LightTexture map;
@@ -39,8 +46,14 @@ Result<EnvironmentLight> EnvironmentLight::create(const ProcAddressLoader& loade
         if (!functions) {
             return functions.status();
         }
-        auto content = std::make_unique<Content>();
-        content->gl = *functions;
+        auto content = std::make_unique<Content>(*functions);
+        if (AoStatus status = content->contexts.found(); !status) {
+            return status;
+        }
+        const gl::ContextScope scope(content->contexts);
+        if (!scope.status()) {
+            return scope.status();
+        }
         const gl::StateGuard guard(content->gl);
         const auto put = [](Result<LightTexture> made, LightTexture& texture) {
             if (made) {

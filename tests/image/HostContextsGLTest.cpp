@@ -1,10 +1,9 @@
 // Framebuffer 0, and several contexts, each with an instance of its own.
 #include <array>
 
-#include <EGL/egl.h>
-
 #include "CoreContexts.h"
 #include "MeasuredHost.h"
+#include "TwinContext.h"
 
 namespace aolib::test {
 namespace {
@@ -39,68 +38,6 @@ TEST_P(WindowGLTest, FramebufferZeroIsAsGoodAsAnyOther) {
 }
 
 AOLIB_FOR_CORE_CONTEXTS(WindowGLTest);
-
-/// EGL by the loader: a context that shares its objects with the one that is current.
-class SharingContext {
-public:
-    explicit SharingContext(const ProcAddressLoader& loader) {
-        load(loader, getDisplay_, "eglGetCurrentDisplay");
-        load(loader, getContext_, "eglGetCurrentContext");
-        load(loader, query_, "eglQueryContext");
-        load(loader, choose_, "eglChooseConfig");
-        load(loader, create_, "eglCreateContext");
-        load(loader, destroy_, "eglDestroyContext");
-        load(loader, makeCurrent_, "eglMakeCurrent");
-        display_ = getDisplay_();
-        first_ = getContext_();
-        EGLint config = 0;
-        EGLint count = 0;
-        EXPECT_TRUE(query_(display_, first_, EGL_CONFIG_ID, &config));
-        const std::array<EGLint, 3> wanted{EGL_CONFIG_ID, config, EGL_NONE};
-        EGLConfig found = nullptr;
-        EXPECT_TRUE(choose_(display_, wanted.data(), &found, 1, &count));
-        const std::array<EGLint, 7> attributes{EGL_CONTEXT_MAJOR_VERSION,
-                                               3,
-                                               EGL_CONTEXT_MINOR_VERSION,
-                                               3,
-                                               EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                               EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                               EGL_NONE};
-        context_ = create_(display_, found, first_, attributes.data());
-        EXPECT_NE(context_, EGL_NO_CONTEXT);
-    }
-    ~SharingContext() {
-        makeFirstCurrent();
-        destroy_(display_, context_);
-    }
-    SharingContext(const SharingContext&) = delete;
-    SharingContext& operator=(const SharingContext&) = delete;
-
-    void makeCurrent() const {
-        EXPECT_TRUE(makeCurrent_(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_));
-    }
-    void makeFirstCurrent() const {
-        EXPECT_TRUE(makeCurrent_(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, first_));
-    }
-
-private:
-    template <typename Function>
-    static void load(const ProcAddressLoader& loader, Function*& function, const char* name) {
-        function = reinterpret_cast<Function*>(loader(name));
-        ASSERT_NE(function, nullptr) << name;
-    }
-
-    decltype(eglGetCurrentDisplay)* getDisplay_ = nullptr;
-    decltype(eglGetCurrentContext)* getContext_ = nullptr;
-    decltype(eglQueryContext)* query_ = nullptr;
-    decltype(eglChooseConfig)* choose_ = nullptr;
-    decltype(eglCreateContext)* create_ = nullptr;
-    decltype(eglDestroyContext)* destroy_ = nullptr;
-    decltype(eglMakeCurrent)* makeCurrent_ = nullptr;
-    EGLDisplay display_ = EGL_NO_DISPLAY;
-    EGLContext first_ = EGL_NO_CONTEXT;
-    EGLContext context_ = EGL_NO_CONTEXT;
-};
 
 /// Two hosts, each with its instance in a context of its own, draw by turns and end one after the
 /// other.
@@ -150,7 +87,7 @@ TEST_F(SharingContextsGLTest, EachWithAnInstanceDrawByTurns) {
     if (IsSkipped() || HasFatalFailure()) {
         return;
     }
-    const SharingContext second(loader);
+    const TwinContext second(loader);
     drawByTurns(
         {&gl, &gl}, {loader, loader}, [&] { second.makeFirstCurrent(); },
         [&] { second.makeCurrent(); });

@@ -51,7 +51,9 @@ struct BakedVertices {
 /// triangle's own plane count as closed, whatever its shading normal says; occluders are
 /// two-sided; each surface is lit on the side of its normals. Since 0.1.
 ///
-/// Threads: one call at a time. Bakers on the GPU need the context that they were created in.
+/// Threads: one call at a time. Bakers on the GPU need the context that they were created in, or
+/// one that shares its objects; elsewhere a call answers WrongContext or NoContext and changes
+/// nothing.
 class AOLIB_BAKE_EXPORT AbstractBaker {
 public:
     AbstractBaker() = default;
@@ -92,9 +94,11 @@ AOLIB_BAKE_EXPORT Result<std::unique_ptr<AbstractBaker>> createRayBaker(BakeScen
 /// A baker of maps and vertices on the GPU: from each of many directions the model is drawn, and
 /// what is seen is scattered as points into its map (McGraw and Sowers 2008), or among the corners
 /// of its triangles: `VertexFit::Direct` is then the mean about each vertex, nearer places counting
-/// more, and TriangleMean answers MissingCapability. Any OpenGL 3.3 context will do; it
-/// is that which is current, and must be so in all later calls and when the baker goes. GL state
-/// is saved and restored by each call, and around each call of the progress callback.
+/// more, and TriangleMean answers MissingCapability. Any OpenGL 3.3 context will do: that
+/// which is current, or one that shares its objects, must be so in all later calls, and after each
+/// call of a callback the one that was before. Destroyed in another context, or in none, a baker
+/// touches no object. GL state is saved and restored by each call, and around each call of the
+/// progress callback.
 /// Errors: those of the scene as above, InvalidOption, NoContext, MissingCapability, ShaderError,
 /// OutOfMemory. Since 0.1.
 AOLIB_BAKE_EXPORT Result<std::unique_ptr<AbstractBaker>>

@@ -25,8 +25,9 @@ struct EnvironmentLightOptions {
 /// An environment in a context's textures, for a host's own shaders, which environmentShader()
 /// gives the functions for. Radiance is kept as 16 bit floats: above 65504 it is cut.
 ///
-/// Context: that which was current at create() must be so when it goes. Needs OpenGL 3.3. GL state
-/// is saved and restored. Since 0.1.
+/// Context: its textures belong to the one that was current at create() and to all that share its
+/// objects, one of which must be current when it goes. Elsewhere, or without a context, it touches
+/// no object when it goes. Needs OpenGL 3.3. GL state is saved and restored. Since 0.1.
 class EnvironmentLight {
 public:
     /// Errors: InvalidOption, NoContext, MissingCapability (sizes), OutOfMemory.

@@ -5,6 +5,7 @@
 #include "backbone/Composite.h"
 #include "backbone/ShaderLibrary.h"
 #include "gl/Label.h"
+#include "gl/StateGuard.h"
 
 namespace aolib {
 
@@ -35,7 +36,7 @@ void CubeMapOutlines::draw(const BackboneContext& context, const Frame& frame,
     gl.Enable(GL_DEPTH_TEST);
     gl.DepthFunc(frame.camera.reversedDepth() ? GL_GEQUAL : GL_LEQUAL);
     gl.DepthMask(GL_FALSE);
-    gl.DepthRange(frame.clip.depthRange[0], frame.clip.depthRange[1]);
+    gl::setDepthRange(gl, frame.clip.depthRange[0], frame.clip.depthRange[1]);
     if (gl.capabilities.clipControl) {
         gl.ClipControl(frame.clip.upperLeft ? GL_UPPER_LEFT : GL_LOWER_LEFT,
                        frame.clip.zeroToOne ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE);
@@ -53,7 +54,7 @@ void CubeMapOutlines::draw(const BackboneContext& context, const Frame& frame,
     if (gl.capabilities.clipControl) {
         gl.ClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
     }
-    gl.DepthRange(0.0, 1.0);
+    gl::setDepthRange(gl, 0.0, 1.0);
     gl.DepthMask(GL_TRUE);
     gl.DepthFunc(GL_LESS);
     gl.Disable(GL_DEPTH_TEST);

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "gl/StateGuard.h"
 #include "scene/Finite.h"
 #include "shared/cube_faces.h"
 #include "shared/distance_code.h"
@@ -215,6 +216,7 @@ CubeMapImage CubeMapProjector::read(const gl::Functions& gl, const FaceStore& st
     for (int f = 0; f < kFaces; ++f) {
         for (int which = 0; keeps(f) && which < 2; ++which) {
             store.beginRead(layer(f), which);
+            gl::usePixels(gl);
             gl.ReadPixels(0, 0, size, size, GL_RED, GL_FLOAT, face.data());
             std::vector<float>& into = which == 0 ? image.visibility : image.distance;
             for (std::size_t i = 0; i < face.size(); ++i) {

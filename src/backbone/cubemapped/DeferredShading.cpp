@@ -10,6 +10,7 @@
 #include "backbone/cubemapped/LayerCapture.h"
 #include "backbone/cubemapped/NearestCapture.h"
 #include "gl/Label.h"
+#include "gl/StateGuard.h"
 
 namespace aolib {
 
@@ -172,10 +173,9 @@ void DeferredShading::addPasses(const BackboneContext& context, const CubeMapCap
     visibility_.set("uFirstSlice", first);
     visibility_.set("uSliceCount", count);
     setEstimatorUniforms(visibility_, context.options, radius);
-    context.gl.Enable(GL_BLEND);
-    context.gl.BlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
+    gl::beginBlending(context.gl, GL_ONE, GL_ONE, GL_ONE, GL_ONE);
     context.generated.drawFullscreen();
-    context.gl.Disable(GL_BLEND);
+    gl::endBlending(context.gl);
 }
 
 void DeferredShading::keep(const BackboneContext& context, const CubeMapCapture& capture,
@@ -203,7 +203,7 @@ void DeferredShading::accumulate(const BackboneContext& context, const CubeMapCa
                                  int count) {
     const glm::ivec2 origin(region.face * capture.accumulated.height(), 0);
     capture.accumulated.begin(0);
-    context.gl.Viewport(origin.x + region.x, region.y, region.width, region.height);
+    gl::setViewport(context.gl, origin.x + region.x, region.y, region.width, region.height);
     addPasses(context, capture, radius, {region.face, 0, origin}, first, count);
 }
 
@@ -212,7 +212,7 @@ void DeferredShading::resolve(const BackboneContext& context, const CubeMapCaptu
                               const TileProgress::Region& region, float share) {
     const glm::ivec2 origin(region.face * capture.accumulated.height(), 0);
     store.begin(projector.layer(region.face));
-    context.gl.Viewport(region.x, region.y, region.width, region.height);
+    gl::setViewport(context.gl, region.x, region.y, region.width, region.height);
     keep(context, capture, projector, {region.face, 0, origin}, capture.accumulated, {}, share);
 }
 
@@ -241,7 +241,7 @@ void DeferredShading::resolveBehind(const BackboneContext& context, const CubeMa
                                     const CubeMapProjector& projector, const BlockStore& blocks,
                                     int block, const TileProgress::Region& region, int layer) {
     const glm::ivec2 at = blocks.begin(block);
-    context.gl.Viewport(at.x, at.y, region.width, region.height);
+    gl::setViewport(context.gl, at.x, at.y, region.width, region.height);
     keep(context, capture, projector, {region.face, layer, behindOrigin(region)}, capture.behind,
          at - glm::ivec2(region.x, region.y), 1.0F);
 }

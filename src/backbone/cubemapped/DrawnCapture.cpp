@@ -138,7 +138,7 @@ AoStatus DrawnCapture::convertFace(const FaceView& view) {
     } else {
         nearest_.beginAll();
     }
-    context_.gl.Viewport(origin.x, origin.y, size_, size_);
+    gl::setViewport(context_.gl, origin.x, origin.y, size_, size_);
     shader_.bind();
     depth_.bindDepthTexture(0);
     shader_.set("uDepth", 0);

@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "gl/StateGuard.h"
+
 namespace aolib {
 
 namespace {
@@ -43,10 +45,11 @@ AoStatus FaceStore::grow() {
             {.width = size, .height = size, .layers = layers, .format = format, .label = label});
     };
     if (!framebuffer_) {
-        framebuffer_ = gl::generate<gl::Framebuffer>(*gl_, &gl::Functions::GenFramebuffers);
-        if (!framebuffer_) {
-            return {StatusCode::OutOfMemory, "aolib/faces: GL gave no framebuffer name"};
+        auto made = gl::Container::create(*gl_, gl::Container::kFramebuffer, "aolib/faces");
+        if (!made) {
+            return made.status();
         }
+        framebuffer_ = std::move(*made);
     }
     auto visibility = create(Format::R8, faceSize_, "aolib/faces/visibility");
     if (!visibility) {
@@ -116,11 +119,12 @@ void FaceStore::giveBackReserved(int layer) {
 
 void FaceStore::begin(int layer) const {
     constexpr std::array<GLenum, 2> kBoth{GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+    gl::useTargets(*gl_, static_cast<int>(kBoth.size()));
     gl_->BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
     visibility_.attach(0, layer);
     depth_.attach(1, layer);
     gl_->DrawBuffers(static_cast<GLsizei>(kBoth.size()), kBoth.data());
-    gl_->Viewport(0, 0, faceSize_, faceSize_);
+    gl::setViewport(*gl_, 0, 0, faceSize_, faceSize_);
 }
 
 void FaceStore::beginRead(int layer, int which) const {

@@ -97,7 +97,7 @@ private:
     gl::TextureStack visibility_;
     gl::TextureStack depth_;
     gl::TextureStack pages_; ///< per tile: 1 + layer and place of its block, or 0
-    gl::Framebuffer framebuffer_;
+    gl::Container framebuffer_;
     Slots slots_; ///< one per layer
     int limit_ = std::numeric_limits<int>::max();
     int reserved_ = 0;   ///< set aside, taken or not

@@ -89,9 +89,9 @@ void Fallback::fill(const BackboneContext& context, const Frame& frame, const Ho
     visibility_.set("uTold", kToldUnit);
     visibility_.set("uByTold", 1);
     visibility.begin(0);
-    context.gl.ColorMask(GL_TRUE, GL_FALSE, GL_FALSE, GL_FALSE);
+    context.gl.ColorMaski(0, GL_TRUE, GL_FALSE, GL_FALSE, GL_FALSE);
     context.generated.drawFullscreen();
-    context.gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    context.gl.ColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 } // namespace aolib

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "backbone/ShaderLibrary.h"
+#include "gl/StateGuard.h"
 
 namespace aolib {
 
@@ -65,12 +66,11 @@ void LayerPeeling::drawCounts(const FaceCapture& faces, int face, const Marks& m
                               const gl::RenderToTexture2D& counts) {
     counts.begin(0);
     gl_->ClearBufferfv(GL_COLOR, 0, kNone.data());
-    gl_->Enable(GL_BLEND);
-    gl_->BlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
+    gl::beginBlending(*gl_, GL_ONE, GL_ONE, GL_ONE, GL_ONE);
     count_.bind();
     setMarks(count_, marks);
     faces.draw(count_, face);
-    gl_->Disable(GL_BLEND);
+    gl::endBlending(*gl_);
 }
 
 void LayerPeeling::peelEntries(const FaceCapture& faces, int face, const Marks& marks,

@@ -13,6 +13,7 @@
 #include "backbone/Estimators.h"
 #include "backbone/ShaderLibrary.h"
 #include "gl/Label.h"
+#include "gl/StateGuard.h"
 
 namespace aolib {
 
@@ -223,7 +224,7 @@ void LayeredPixels::accumulate(const RestingView& view, const glm::ivec2& tile, 
     const gl::Functions& gl = context.gl;
     const glm::ivec2 extent = glm::min(kPixelTile, view.frame.size - tile);
     work_->sums.begin(0);
-    gl.Viewport(tile.x, tile.y, extent.x, extent.y);
+    gl::setViewport(gl, tile.x, tile.y, extent.x, extent.y);
     shared_.visibility.bind();
     work_->around.capture->bind(shared_.visibility);
     view.host.bindDepth(kHostDepthUnit);
@@ -232,17 +233,16 @@ void LayeredPixels::accumulate(const RestingView& view, const glm::ivec2& tile, 
     shared_.visibility.set("uFirstSlice", first);
     shared_.visibility.set("uSliceCount", count);
     setEstimatorUniforms(shared_.visibility, ofPixels(context.options), view.radius);
-    gl.Enable(GL_BLEND);
-    gl.BlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
+    gl::beginBlending(gl, GL_ONE, GL_ONE, GL_ONE, GL_ONE);
     context.generated.drawFullscreen();
-    gl.Disable(GL_BLEND);
+    gl::endBlending(gl);
 }
 
 void LayeredPixels::keep(const RestingView& view, const FoundPixels& found,
                          const glm::ivec2& tile) {
     const glm::ivec2 extent = glm::min(kPixelTile, view.frame.size - tile);
     found.texture()->begin(0);
-    view.context.gl.Viewport(tile.x, tile.y, extent.x, extent.y);
+    gl::setViewport(view.context.gl, tile.x, tile.y, extent.x, extent.y);
     shared_.keep.bind();
     work_->sums.bindTexture(0, kSumsUnit);
     view.host.bindDepth(kHostDepthUnit);

@@ -1,6 +1,7 @@
 #include "backbone/cubemapped/NearestCapture.h"
 
 #include "gl/Label.h"
+#include "gl/StateGuard.h"
 
 namespace aolib {
 
@@ -29,7 +30,7 @@ AoStatus NearestCapture::step() {
         return makeTarget();
     }
     target_.beginAll();
-    context_.gl.Viewport(face_ * faces_.size(), 0, faces_.size(), faces_.size());
+    gl::setViewport(context_.gl, face_ * faces_.size(), 0, faces_.size(), faces_.size());
     shader_.bind();
     modelled_[static_cast<std::size_t>(face_)] = faces_.draw(shader_, face_);
     ++face_;

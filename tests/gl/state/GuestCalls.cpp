@@ -134,6 +134,7 @@ struct GuestCalls {
         Options options = ao().options();
         options.contrast = static_cast<float>(dice.between(0, 4)) * 0.25F;
         options.cubeMaps.outlines = dice.chance(0.5);
+        options.debugGroups = dice.chance(0.8);
         options.cubeMaps.place = dice.chance(0.5);
         options.cubeMaps.coverage = dice.chance(0.5) ? 0.75F : 1.0F;
         options.cubeMaps.nearest = dice.between(1, 3);

@@ -1,6 +1,11 @@
 // Two matrices that draw the same pixels shade them the same, to the bit: a left-handed camera, or
 // a projection of another scale, against its right-handed equivalent.
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <aolib/RayTracing.h>
 #include <glm/gtc/matrix_transform.hpp>

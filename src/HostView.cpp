@@ -20,8 +20,20 @@ constexpr GLenum kProjectionMatrix = 0x0BA7;
 constexpr double kSamePosition = 1e-3;
 
 bool standsAt(const HostCamera& camera, const glm::vec3& position) {
-    const double scale = 1.0 + glm::length(glm::dvec3(position));
-    return glm::distance(camera.eye(), glm::dvec3(position)) <= kSamePosition * scale;
+    const glm::dvec3 given(position);
+    const double most = kSamePosition * (1.0 + glm::length(given));
+    return glm::distance(camera.eye(), given) <= most ||
+           glm::distance(camera.viewOrigin(), given) <= most;
+}
+
+/// Whether the host keeps the greater of two values of the depth buffer, as its state tells: by the
+/// value that it clears to, or where that is the default by the comparison.
+bool greaterIsNearer(const gl::Functions& gl) {
+    GLdouble cleared = 1.0;
+    gl.GetDoublev(GL_DEPTH_CLEAR_VALUE, &cleared);
+    GLint comparison = GL_LESS;
+    gl.GetIntegerv(GL_DEPTH_FUNC, &comparison);
+    return cleared < 0.5 || comparison == GL_GREATER || comparison == GL_GEQUAL;
 }
 
 } // namespace
@@ -90,7 +102,12 @@ Result<Frame> HostView::frameFrom(const gl::Functions& gl, const gl::StateGuard&
         return AoStatus(StatusCode::InvalidFramebuffer,
                         "glDepthRange is empty: depth holds no distances");
     }
-    return Frame{.camera = *found, .position = position, .clip = clip};
+    const Result<HostCamera> camera =
+        found->under(clip, found->orthographic() && greaterIsNearer(gl));
+    if (!camera) {
+        return camera.status();
+    }
+    return Frame{.camera = *camera, .position = position, .clip = clip};
 }
 
 AoStatus HostView::takeTarget(const gl::StateGuard& guard, Frame& frame) {

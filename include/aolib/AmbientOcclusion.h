@@ -148,7 +148,8 @@ public:
     // ---- Frame (thesis 4.7.2) --------------------------------------------------------------
 
     /// Gives the camera of the frames to come: world to eye, eye to clip, column-major, column
-    /// vectors. Errors: InvalidCamera.
+    /// vectors, as the host draws with them. Eye space may be right-handed or left-handed.
+    /// Errors: InvalidCamera.
     AoStatus aoSetCamera(const glm::mat4& view, const glm::mat4& projection);
     /// Starts a frame. The host then draws as ever, to its own framebuffer.
     /// Errors: InvalidCallOrder. Context.

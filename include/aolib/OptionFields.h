@@ -64,7 +64,7 @@ void visitOptions(OptionsType& o, Visitor&& visit) {
     visit("steps", o.horizonSplit.steps, OptionRange{1, 256},
           "horizon-split: samples per direction");
     visit("step-size", o.horizonSplit.stepSize, OptionRange{0.0, kMaxFloat},
-          "horizon-split: world units between samples; 0 = radius / steps");
+          "horizon-split, falloff step: world units between samples; 0 = radius / steps");
     visit("slices", o.layeredIntervals.slices, OptionRange{1, 128},
           "layered-intervals: slices of the hemisphere");
     visit("slice-steps", o.layeredIntervals.steps, OptionRange{1, 256},

@@ -51,7 +51,8 @@ enum class DebugView : std::uint8_t {
 struct HorizonSplitOptions {
     int directions = 16;   ///< slices about the normal, count, 1 to 128
     int steps = 16;        ///< samples per direction, count, 1 to 256
-    float stepSize = 0.0F; ///< world units between samples; 0 derives radius / steps
+    float stepSize = 0.0F; ///< `Falloff::Step`: world units between samples; 0 derives radius /
+                           ///< steps. Other falloffs share the samples out over all in reach
 
     bool operator==(const HorizonSplitOptions&) const = default;
 };

@@ -106,7 +106,7 @@ float visibilityInSight(HostSurface surface, vec2 from, bool asked, float turn, 
         Side side = Side(viewer, tangent, gamma, sliceIntegral(gamma + 0.5 * kPi, gamma));
         float weight = length(projected) * side.span;
         vec2 direction = normalize(windowPosition(surface.eye + kAhead * footprint * tangent) - from);
-        float pixels = asked ? min(uRadius / footprint, toBorder(from, direction)) : 0.0;
+        float pixels = asked ? min(occluderReach(uFalloff, uRadius) / footprint, toBorder(from, direction)) : 0.0;
         if (weight > 1.0e-5) {
             float blocked = blockedAlong(surface, side, from, direction, pixels, first);
             sum += weight * vec2(blocked, 1.0);

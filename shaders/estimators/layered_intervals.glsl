@@ -40,9 +40,6 @@ const float kSheetExtension = 4.0;
 #endif
 // Cosine between ray and normal below which a surface's course between two rays is not known.
 const float kEdgeOn = 1.0e-6;
-// exp(-L / radius) is below 1% from here on, in radii.
-const float kExpReach = 4.6;
-const float kInfinite = 1.0e29;
 
 struct Receiver {
     float distance; // from the cube's centre
@@ -78,8 +75,8 @@ float hash(uint x) {
 // The part of a ray that lies in the ball of influence; x > y when it misses. Directions in a plane
 // through the centre are (towards the centre as seen from the receiver, across): (-cos beta, sin beta).
 vec2 insideBall(Receiver p, vec2 direction) {
-    if (uFalloff == 2) {
-        return vec2(0.0, kInfinite);
+    if (uFalloff == kFalloffOff) {
+        return vec2(0.0, kEndless);
     }
     float across = p.distance * direction.y;
     float half2 = p.reach * p.reach - across * across;
@@ -91,7 +88,7 @@ vec2 insideBall(Receiver p, vec2 direction) {
 // Cosine of the angle, from v, at which the point at distance r of a ray is seen from the receiver: 1
 // towards the centre, -1 away from it.
 float cosineSeen(Receiver p, vec2 direction, float r) {
-    vec2 q = r >= kInfinite ? direction : vec2(r * direction.x + p.distance, r * direction.y);
+    vec2 q = r >= kEndless ? direction : vec2(r * direction.x + p.distance, r * direction.y);
     return q.x * inversesqrt(max(dot(q, q), 1.0e-37));
 }
 
@@ -142,7 +139,7 @@ void continueTo(Receiver p, Segment s, Ray ray, float away, inout vec2 cosines) 
     }
     vec2 end = s.point + away * s.cap * s.along + vec2(p.distance, 0.0);
     float distance2 = dot(end, end);
-    if (!met && (uFalloff == 2 || distance2 <= p.reach * p.reach)) {
+    if (!met && (uFalloff == kFalloffOff || distance2 <= p.reach * p.reach)) {
         float cosine = end.x * inversesqrt(max(distance2, 1.0e-37));
         cosines = vec2(min(cosines.x, cosine), max(cosines.y, cosine));
     }
@@ -171,10 +168,10 @@ vec2 blockedCosines(Receiver p, Wedge w, vec4 interval) {
 
 // Weight of what an interval hides: by its point nearest to the receiver.
 float intervalWeight(Receiver p, vec4 interval, float cosBeta) {
-    if (uFalloff != 1) {
+    if (uFalloff != kFalloffExp) {
         return 1.0;
     }
-    float r = clamp(p.distance * cosBeta, interval.x, max(interval.x, min(interval.y, kInfinite)));
+    float r = clamp(p.distance * cosBeta, interval.x, max(interval.x, min(interval.y, kEndless)));
     float distance2 = r * r - 2.0 * r * p.distance * cosBeta + p.distance * p.distance;
     return exp(-sqrt(max(distance2, 0.0)) / uRadius);
 }
@@ -232,7 +229,7 @@ void blockTexel(Receiver p, Slice slice, Side side, Texel texel, Ray from, Ray t
 float blockSide(Receiver p, Slice slice, Side side, float jitter, inout uvec2 mask) {
     float blocked = 0.0;
     float finest = texelAngle();
-    float reach = uFalloff == 2 || p.distance <= p.reach ? kPi : asin(p.reach / p.distance);
+    float reach = p.distance <= p.reach ? kPi : asin(p.reach / p.distance);
     float from = 0.5 * finest;
     Ray fromRay = rayAt(p, from);
     Texel before = p.texel;
@@ -302,7 +299,7 @@ vec2 blockedLayeredIntervals(Texel texel, uint seed, vec3 position, vec2 normals
     position += kLift * footprintAt(texel, position) * p.plane;
     p.distance = length(position);
     p.toCentre = -position / p.distance;
-    p.reach = uFalloff == 1 ? kExpReach * uRadius : uRadius;
+    p.reach = occluderReach(uFalloff, uRadius);
     p.texel = texel;
     float turn = hash(seed);
     vec3 from = slicesFrom(texel);

@@ -46,5 +46,5 @@ float pixelFootprint(float t) {
 
 // The unit vector from an eye-space position towards the viewer.
 vec3 towardsViewer(vec3 eye) {
-    return uClipOffset.w == 0.0 ? vec3(0.0, 0.0, 1.0) : -normalize(eye);
+    return uClipOffset.w == 0.0 ? normalize(vec3(-uClipToEye.zw * uClipToEye.xy, 1.0)) : -normalize(eye);
 }

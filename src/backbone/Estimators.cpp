@@ -1,6 +1,5 @@
 #include "backbone/Estimators.h"
 
-#include <limits>
 #include <numeric>
 
 namespace aolib {
@@ -9,9 +8,6 @@ namespace {
 
 /// The assumed depth as a share of the radius.
 constexpr float kThicknessShare = 0.25F;
-
-/// Where e^-x is a hundredth.
-constexpr float kExpReach = 4.6F;
 
 /// A step through n slices that visits all and spreads every few of them: coprime to n, near its
 /// golden section.
@@ -47,18 +43,6 @@ Estimator chosenEstimator(const Options& options, const Scene& scene, bool trace
     // Rays do not meet what a scene renderer draws.
     const bool traceable = options.backbone == Backbone::Cubemapped && tracer && !scene.drawn();
     return traceable ? Estimator::RayTraced : Estimator::LayeredIntervals;
-}
-
-float occluderReach(Falloff falloff, float radius) {
-    switch (falloff) {
-    case Falloff::Step:
-        return radius;
-    case Falloff::Exp:
-        return kExpReach * radius;
-    case Falloff::Off:
-        break;
-    }
-    return std::numeric_limits<float>::infinity();
 }
 
 float assumedThickness(const Options& options, float radius) {

@@ -16,20 +16,12 @@ struct EstimatorTraits {
 };
 EstimatorTraits traitsOf(Estimator estimator);
 
-/// How far occluders reach, world units: the radius of a step; where an exponential has fallen to
-/// a hundredth; else infinite.
-float occluderReach(Falloff falloff, float radius);
-
 /// The estimator in force where the options leave the choice.
 /// @param tracer  whether the host gave one.
 Estimator chosenEstimator(const Options& options, const Scene& scene, bool tracer);
 
 /// Share of the scene's diagonal that a derived radius has (thesis 4.3.2 derives likewise).
 inline constexpr float kRadiusShare = 0.1F;
-/// How far occluders reach, world units: the radius where weights fall in a step, where they fall
-/// to a hundredth, or no end.
-float occluderReach(Falloff falloff, float radius);
-
 /// Depth assumed of surfaces of which nothing but the front is known, world units.
 float assumedThickness(const Options& options, float radius);
 

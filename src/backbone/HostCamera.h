@@ -23,23 +23,36 @@ struct ClipConvention {
     bool operator==(const ClipConvention&) const = default;
 };
 
-/// The host's camera: perspective or orthographic, centred or not, any depth convention.
+/// The host's camera: perspective or orthographic, centred or not, any handedness and depth
+/// convention. Kept in one canonical form, whose product of projection and view is the host's but
+/// for a positive factor: eye space has x right and y up in clip space and looks along -z, P00 and
+/// P11 are positive, and clip w is -z or 1. What else the host's projection does (a mirror, a turn
+/// of the picture, a shift of the eye, a scale) is part of the view.
 class HostCamera {
 public:
     /// @param view        world to eye, a rotation (or mirror) and a translation
-    /// @param projection  eye to clip
+    /// @param projection  eye to clip; of either handedness
     /// Errors: InvalidCamera.
     static Result<HostCamera> create(const glm::mat4& view, const glm::mat4& projection);
 
-    /// World position of the eye.
+    /// The camera with GL's clip conventions. An orthographic matrix does not say to which side it
+    /// looks: to the one where its range of depth lies; around the eye, as depths are compared.
+    /// @param greaterIsNearer  the host keeps the greater of two values of the depth buffer.
+    /// Errors: InvalidCamera, if nothing can be drawn with the projection.
+    Result<HostCamera> under(const ClipConvention& clip, bool greaterIsNearer) const;
+
+    /// World position of the eye, or for an orthographic camera of the view matrix's origin.
     const glm::dvec3& eye() const { return eye_; }
-    /// Eye to world, the rotation only.
+    /// World position of the view matrix's origin: the eye, unless the host's projection shifts it.
+    const glm::dvec3& viewOrigin() const { return viewOrigin_; }
+    /// Canonical eye space to world, the rotation or mirror only.
     const glm::dmat3& eyeToWorld() const { return eyeToWorld_; }
+    /// Canonical.
     const glm::dmat4& projection() const { return projection_; }
 
     /// Whether lines of sight are parallel.
     bool orthographic() const { return projection_[2][3] == 0.0; }
-    /// Whether nearer points have the larger depth values.
+    /// Whether nearer points have the larger clip depth.
     bool reversedDepth() const;
     /// A surface that the host's depth buffer shows.
     struct Surface {
@@ -71,6 +84,7 @@ private:
     glm::dmat4 projection_{1.0};
     glm::dmat3 eyeToWorld_{1.0};
     glm::dvec3 eye_{0.0};
+    glm::dvec3 viewOrigin_{0.0};
 };
 
 } // namespace aolib

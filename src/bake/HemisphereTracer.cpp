@@ -9,6 +9,7 @@
 
 #include "raytracing/CosineSampling.h"
 #include "raytracing/EmbreeApi.h"
+#include "shared/falloff.h"
 #include "shared/open_sector.h"
 
 namespace aolib::bake {
@@ -17,8 +18,6 @@ namespace {
 
 constexpr std::size_t lanes = HemisphereTracer::capacity;
 
-/// Beyond this many radii `e^(-L/radius)` is below 3e-9, a thirtieth of the last bit of a float W.
-constexpr double expReach = 20.0;
 /// Normals with at least this cosine face alike.
 constexpr float alikeCosine = 0.9F;
 /// Fewer receivers than this leave too many lanes of a packet empty.
@@ -30,7 +29,7 @@ double frameLength(const RayScene& scene, const RayOptions& options) {
     if (options.radius <= 0.0F || options.falloff == Falloff::Off) {
         return std::numeric_limits<double>::infinity();
     }
-    const double reach = options.falloff == Falloff::Exp ? expReach : 1.0;
+    const double reach = options.falloff == Falloff::Exp ? double{shared::kExpReach} : 1.0;
     return reach * double{options.radius} * scene.scale();
 }
 

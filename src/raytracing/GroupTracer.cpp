@@ -7,15 +7,13 @@
 #include <glm/geometric.hpp>
 
 #include "raytracing/EmbreeApi.h"
+#include "shared/falloff.h"
 
 namespace aolib {
 
 namespace {
 
 constexpr std::size_t lanes = SurfaceGroup::capacity;
-
-/// Beyond this many radii `e^(-L/radius)` is below 3e-9, a thirtieth of the last bit of a float W.
-constexpr double expReach = 20.0;
 
 /// Surfaces face alike when the cosine of their normals to the first one's is at least this.
 constexpr float alikeCosine = 0.9F;
@@ -32,15 +30,11 @@ bool alike(const SurfaceGroup& group) {
 }
 
 double frameLength(const RayScene& scene, Falloff falloff, float radius) {
-    switch (falloff) {
-    case Falloff::Step:
-        return double{radius} * scene.scale();
-    case Falloff::Exp:
-        return expReach * double{radius} * scene.scale();
-    case Falloff::Off:
-        break;
+    if (falloff == Falloff::Off) {
+        return std::numeric_limits<double>::infinity();
     }
-    return std::numeric_limits<double>::infinity();
+    const double radii = falloff == Falloff::Exp ? double{shared::kExpReach} : 1.0;
+    return radii * double{radius} * scene.scale();
 }
 
 } // namespace

@@ -7,15 +7,13 @@
 #include <glm/geometric.hpp>
 
 #include "raytracing/CosineSampling.h"
+#include "shared/falloff.h"
 
 namespace aolib {
 
 namespace {
 
 constexpr int mostRays = 1 << 24;
-
-/// Beyond this many radii `e^(-L/radius)` is below 3e-9, a thirtieth of the last bit of a float W.
-constexpr double expReach = 20.0;
 
 bool finite(const glm::dvec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
@@ -72,7 +70,7 @@ double VisibilityTracer::occlusion(const glm::dvec3& origin, const glm::dvec3& d
         break;
     }
     const std::optional<Hit> hit =
-        scene_->intersect(origin, direction, 0.0, expReach * settings_.radius);
+        scene_->intersect(origin, direction, 0.0, double{shared::kExpReach} * settings_.radius);
     return hit ? std::exp(-hit->distance / settings_.radius) : 0.0;
 }
 

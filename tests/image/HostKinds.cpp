@@ -72,7 +72,18 @@ std::map<std::string, CameraKind> cameraKinds() {
     range.depthRange = {1.0, 0.0};
     range.reversed = true;
     add("depth range within", plain()).depthRange = {0.25, 0.5};
+    for (const char* name : {"perspective", "off-centre", "orthographic", "y flipped",
+                             "reversed, [0,1], infinite far", "depth range reversed"}) {
+        kinds[std::string("left-handed, ") + name] = leftHanded(kinds[name], 0.5);
+    }
     return kinds;
+}
+
+CameraKind leftHanded(CameraKind camera, double scale) {
+    const glm::dmat4 mirror = glm::scale(glm::dmat4(1.0), {1.0, 1.0, -1.0});
+    camera.projection = scale * camera.projection * mirror;
+    camera.turn = mirror * camera.turn;
+    return camera;
 }
 
 std::map<std::string, FramebufferKind> framebufferKinds() {
@@ -104,7 +115,7 @@ glm::dvec3 eyeOf(const CameraKind& camera) {
     return kTarget + camera.distance * (kEye - kTarget);
 }
 glm::dmat4 viewOf(const CameraKind& camera) {
-    return glm::lookAt(eyeOf(camera), kTarget, glm::dvec3(0.0, 1.0, 0.0));
+    return camera.turn * glm::lookAt(eyeOf(camera), kTarget, glm::dvec3(0.0, 1.0, 0.0));
 }
 
 } // namespace aolib::test

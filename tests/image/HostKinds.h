@@ -22,6 +22,7 @@ inline const glm::dvec3 kEye{4.0, 4.0, 6.0};
 struct CameraKind {
     glm::dmat4 projection{1.0};
     glm::dmat4 traced{1.0};
+    glm::dmat4 turn{1.0}; ///< of eye space, after what looks along -z with y up
     bool zeroToOne = false;
     bool upperLeft = false;
     bool reversed = false;
@@ -46,6 +47,8 @@ struct FramebufferKind {
 
 /// By name; "perspective" is the plain one.
 std::map<std::string, CameraKind> cameraKinds();
+/// The same view, to the bit, with z away from the eye and a projection scaled as a whole.
+CameraKind leftHanded(CameraKind camera, double scale = 1.0);
 /// By name; a default one is the plain one.
 std::map<std::string, FramebufferKind> framebufferKinds();
 

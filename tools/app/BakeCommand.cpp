@@ -11,6 +11,7 @@
 #include "app/BakeJob.h"
 #include "app/Interruption.h"
 #include "app/Progress.h"
+#include "app/UnusedOptions.h"
 
 namespace aolib::app {
 
@@ -66,7 +67,10 @@ void addBakeCommand(CLI::App& program, MaybeFailure& failure) {
         "  aolib bake cornell --target camera --camera front --ao ao.png --method shadow\n"
         "  aolib bake models/*.glb -o folder\n"
         "Ctrl-C stops it, and nothing half done is written.");
-    command->callback([flags, &failure] { failure = bakeAll(*flags); });
+    command->callback([flags, command, &failure] {
+        warnOf(unusedBakeFlags(*command, *flags));
+        failure = bakeAll(*flags);
+    });
 }
 
 } // namespace aolib::app

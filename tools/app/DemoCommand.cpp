@@ -21,6 +21,7 @@
 #include "app/RenderJob.h"
 #include "app/ResolveOptions.h"
 #include "app/ResultTable.h"
+#include "app/UnusedOptions.h"
 #include "content/SceneSource.h"
 #include "image/Compose.h"
 #include "image/FalseColour.h"
@@ -132,6 +133,9 @@ Outcome<DemoRow> showScene(const DemoFlags& flags, const GlSession& session,
     job.height = view.height;
     job.normals = view.normals;
     job.options = resolveOptions(view, flags.options);
+    if (scene == kScenes.front()) { // the same for all
+        warnOf(unusedOptions(flags.options, job.options));
+    }
     Outcome<RenderResult> result = render(session, view.model, job, progress);
     if (!result) {
         return result.failure();
@@ -159,7 +163,7 @@ void report(const DemoFlags& flags, const std::vector<DemoRow>& rows) {
         table.add(row.name, row.triangles, row.result, row.error);
     }
     std::cout << '\n'
-              << table.text() << '\n'
+              << table.text() << ResultTable::kFrames << '\n'
               << flags.width << " x " << flags.height
               << " pixels. RMSE and bias are of visibility W against ray tracing with "
               << rows.front().error.rays

@@ -144,4 +144,12 @@ void OptionFlags::apply(Options& options, double diagonal) const {
     });
 }
 
+std::vector<std::string> OptionFlags::given() const {
+    std::vector<std::string> names;
+    for (const auto& [name, value] : values_) {
+        names.push_back(name);
+    }
+    return names;
+}
+
 } // namespace aolib::app

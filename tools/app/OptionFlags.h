@@ -4,6 +4,7 @@
 #include <set>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include <aolib/Options.h>
 
@@ -27,6 +28,8 @@ public:
     void apply(Options& options, double diagonal) const;
 
     bool given(const std::string& name) const { return values_.count(name) != 0; }
+    /// All that were given, sorted.
+    std::vector<std::string> given() const;
 
 private:
     /// A number, a switch (0 or 1) or an enumerator, as visitOptions() will take it; or a length.

@@ -17,6 +17,7 @@
 #include "app/RenderOutputs.h"
 #include "app/ResolveOptions.h"
 #include "app/ResultTable.h"
+#include "app/UnusedOptions.h"
 #include "app/ViewFlags.h"
 
 namespace aolib::app {
@@ -63,7 +64,7 @@ void report(const std::string& device, const View& view, const RenderJob& job,
     std::cout << device << '\n'
               << job.width << " x " << job.height << " pixels, radius " << job.options.radius
               << " world units\n"
-              << table.text();
+              << table.text() << ResultTable::kFrames;
     if (error) {
         std::cout << "RMSE and bias of W against ray tracing with " << error->rays
                   << " rays per pixel\n";
@@ -75,6 +76,12 @@ void report(const std::string& device, const View& view, const RenderJob& job,
 
 MaybeFailure run(RenderFlags& flags) {
     if (flags.lit.given()) {
+        std::vector<std::string> unused;
+        for (const std::string& name : flags.options.given()) {
+            unused.push_back("--" + name +
+                             " has no effect: light from an environment map has its own");
+        }
+        warnOf(unused);
         return renderLit(flags.lit, flags.view, flags.gl);
     }
     const bool withTruth = flags.rays.has_value() || flags.outputs.needTruth();
@@ -89,6 +96,7 @@ MaybeFailure run(RenderFlags& flags) {
     }
     progress.pause();
     const RenderJob job = jobOf(flags, *view);
+    warnOf(unusedOptions(flags.options, job.options));
     const Outcome<GlSession> session = GlSession::open(flags.gl);
     if (!session) {
         return session.failure();
@@ -161,7 +169,7 @@ void addRenderCommand(CLI::App& program, MaybeFailure& failure) {
         "  aolib render --case case.json --ao w.pfm --truth-rays 256\n"
         "  aolib render town --environment sunny --lit town.png\n"
         "automatic is ray-traced, or layered-intervals in screen space.\n"
-        "Times are wall clock, with the GPU's work done; the median of several frames.");
+        "Times are wall clock, with the GPU's work done.");
     command->callback([flags, &failure] { failure = run(*flags); });
 }
 

@@ -42,7 +42,8 @@ double median(std::vector<double> values) {
 struct FrameTime {
     double hostMs = 0.0;
     double aoMs = 0.0;
-    bool built = false; ///< a cube map was built in it
+    bool built = false;     ///< a cube map was built in it
+    bool computing = false; ///< and something is left to compute after it
 };
 
 /// Draws the frames of one job.
@@ -75,6 +76,7 @@ private:
     glm::mat4 view_;
     glm::mat4 projection_;
     std::vector<FrameTime> frames_;
+    std::size_t firstTimed_ = 0; ///< all is computed from there on
     double handBuildMs_ = 0.0;
     double convergedMs_ = 0.0; ///< wall clock until all was computed, where it takes many frames
 };
@@ -132,6 +134,8 @@ AoStatus JobRunner::drawFrame() {
     gl_.Finish();
     time.aoMs = millisecondsSince(drawn);
     time.built = ao_.statistics().cubeMapsBuilt > 0;
+    time.computing = job_.options.backbone == Backbone::Cubemapped &&
+                     job_.options.frameBudget > 0.0F && !ao_.statistics().converged;
     frames_.push_back(time);
     return {};
 }
@@ -163,6 +167,7 @@ AoStatus JobRunner::drawUntilSettled() {
 }
 
 AoStatus JobRunner::drawTimed() {
+    firstTimed_ = frames_.size();
     const Clock::time_point begin = Clock::now();
     for (int frame = 0; frame < kTimedFrames; ++frame) {
         if (frame >= kFewestTimedFrames && millisecondsSince(begin) > kTimingBudgetMs) {
@@ -178,12 +183,16 @@ AoStatus JobRunner::drawTimed() {
 void JobRunner::countUp(RenderResult& result) const {
     std::vector<double> ao;
     std::vector<double> host;
-    for (std::size_t i = static_cast<std::size_t>(job_.frames); i < frames_.size(); ++i) {
-        if (!frames_[i].built) {
+    std::vector<double> computing;
+    for (std::size_t i = 0; i < frames_.size(); ++i) {
+        if (frames_[i].computing) {
+            computing.push_back(frames_[i].aoMs);
+        } else if (i >= firstTimed_ && !frames_[i].built) {
             ao.push_back(frames_[i].aoMs);
             host.push_back(frames_[i].hostMs);
         }
     }
+    result.computingMs = computing.empty() ? -1.0 : median(std::move(computing));
     result.aoMs = median(std::move(ao));
     result.hostMs = median(std::move(host));
     result.buildMs = handBuildMs_ + convergedMs_;

@@ -37,8 +37,10 @@ struct RenderResult {
     std::vector<ByteImage> debugPictures; ///< one per debug view asked for
     std::size_t cubeMaps = 0;
     double buildMs = 0.0;         ///< all cube maps together, until they are complete
-    double aoMs = 0.0;            ///< per frame, what aolib adds; median
-    double hostMs = 0.0;          ///< per frame, the host's own drawing; median
+    double computingMs = -1.0;    ///< per frame, what aolib adds until all is computed, with
+                                  ///< workers busy; median, -1 where that takes no frames
+    double aoMs = 0.0;            ///< per frame, what aolib adds once all is computed; median
+    double hostMs = 0.0;          ///< per frame, the host's own drawing in those; median
     double coverage = -1;         ///< share of shaded pixels, -1 where not known
     std::size_t bytesKept = 0;    ///< GPU memory of all cube maps
     std::size_t bytesCapture = 0; ///< the most that one took while it was computed

@@ -8,6 +8,7 @@
 
 #include "backbone/Estimators.h"
 #include "backbone/cubemapped/Placement.h"
+#include "shared/falloff.h"
 
 namespace aolib {
 
@@ -246,7 +247,8 @@ AoStatus BackboneCubemapped::followScene() {
     }
     if (!changes.empty()) {
         // Receivers up to that far away from a change see a difference.
-        const float within = occluderReach(context_.options.falloff, radius());
+        const float within =
+            shared::occluderReach(static_cast<int>(context_.options.falloff), radius());
         schedule_.sceneChanged(cubeMaps_.all(), changes, within);
         const bool texels = std::ranges::any_of(
             cubeMaps_.all(), [](const auto& one) { return one->outdated || one->dirty; });

@@ -8,15 +8,9 @@
 #include "backbone/cubemapped/BackboneCubemapped.h"
 #include "backbone/cubemapped/Placement.h"
 #include "backbone/cubemapped/TileRequests.h"
+#include "shared/falloff.h"
 
 namespace aolib {
-
-namespace {
-
-/// Reach of occluders that have no end, world units.
-constexpr float kEndless = 1e30F;
-
-} // namespace
 
 glm::vec3 BackboneCubemapped::standpoint(const Frame& frame) const {
     return Placement::standpoint(frame, context_.scene.bounds(),
@@ -177,7 +171,7 @@ float BackboneCubemapped::shareComputed(const std::vector<CubeMapProjector*>& pr
 }
 
 float BackboneCubemapped::reach() {
-    return context_.options.falloff == Falloff::Off ? kEndless : radius();
+    return context_.options.falloff == Falloff::Off ? shared::kEndless : radius();
 }
 
 KeptTexels BackboneCubemapped::kept() {

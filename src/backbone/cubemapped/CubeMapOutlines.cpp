@@ -34,7 +34,8 @@ void CubeMapOutlines::draw(const BackboneContext& context, const Frame& frame,
     const gl::DebugGroup group(gl, "aolib: cube map outlines");
     beginHostColours(context, frame);
     gl.Enable(GL_DEPTH_TEST);
-    gl.DepthFunc(frame.camera.reversedDepth() ? GL_GEQUAL : GL_LEQUAL);
+    const bool rangeReversed = frame.clip.depthRange[0] > frame.clip.depthRange[1];
+    gl.DepthFunc(frame.camera.reversedDepth() != rangeReversed ? GL_GEQUAL : GL_LEQUAL);
     gl.DepthMask(GL_FALSE);
     gl::setDepthRange(gl, frame.clip.depthRange[0], frame.clip.depthRange[1]);
     if (gl.capabilities.clipControl) {

@@ -71,17 +71,14 @@ DistanceRange distanceRange(const Scene& scene, const glm::vec3& centre) {
 ViewFace ViewFace::of(const HostCamera& camera, const glm::ivec2& size,
                       const ClipConvention& clip) {
     const glm::dmat4& p = camera.projection();
-    const double scale = std::abs(p[2][3]);
-    const double sign = p[2][3] < 0.0 ? 1.0 : -1.0; // of clip w before the eye
-    const double flip = clip.upperLeft ? -sign : sign;
-    const glm::dmat3 rows(sign * glm::dvec3(p[0][0], p[1][0], p[2][0]),
-                          flip * glm::dvec3(p[0][1], p[1][1], p[2][1]),
-                          sign * glm::dvec3(p[0][3], p[1][3], p[2][3]));
+    const double flip = clip.upperLeft ? -1.0 : 1.0;
+    const glm::dmat3 rows({p[0][0], 0.0, p[2][0]}, {0.0, flip * p[1][1], flip * p[2][1]},
+                          {0.0, 0.0, p[2][3]});
     // Least in the farthest corner.
-    const double x = (scale + std::abs(p[2][0])) / std::abs(p[0][0]);
-    const double y = (scale + std::abs(p[2][1])) / std::abs(p[1][1]);
+    const double x = (1.0 + std::abs(p[2][0])) / p[0][0];
+    const double y = (1.0 + std::abs(p[2][1])) / p[1][1];
     return {.frustum = glm::mat3(glm::transpose(camera.eyeToWorld() * rows)),
-            .leastClip = static_cast<float>(scale / std::sqrt(x * x + y * y + 1.0)),
+            .leastClip = static_cast<float>(1.0 / std::sqrt(x * x + y * y + 1.0)),
             .size = size};
 }
 

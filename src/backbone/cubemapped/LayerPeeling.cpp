@@ -79,10 +79,9 @@ void LayerPeeling::peelEntries(const FaceCapture& faces, int face, const Marks& 
                                const gl::RenderToTexture2D& entries) {
     clear(*gl_, entries, kNothing);
     entry_.bind();
-    if (previous != nullptr) {
-        previous->bindTexture(0, 0);
-        exits.bindTexture(0, 1);
-    }
+    // The first layer reads neither, but what was bound there before may be drawn to now.
+    (previous != nullptr ? *previous : exits).bindTexture(0, 0);
+    exits.bindTexture(0, 1);
     entry_.set("uPrevious", 0);
     entry_.set("uExit", 1);
     entry_.set("uFirstLayer", previous == nullptr ? 1 : 0);

@@ -158,9 +158,9 @@ Result<int> LayeredPixels::step(const RestingView& view, FoundPixels& found, int
 // ---- What pixels see ----------------------------------------------------------------------------
 
 AoStatus LayeredPixels::begin(const RestingView& view) {
-    const bool orthographic = view.frame.camera.projection()[2][3] == 0.0;
     const std::int64_t pixels = std::int64_t{view.frame.size.x} * view.frame.size.y;
-    if (orthographic || pixels > kMostPixels) { // rays that are parallel have no centre
+    if (view.frame.camera.orthographic() ||
+        pixels > kMostPixels) { // rays that are parallel have no centre
         stage_ = Stage::Done;
         return {};
     }

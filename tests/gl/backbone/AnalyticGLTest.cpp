@@ -55,19 +55,24 @@ TEST_P(AnalyticGLTest, AFloorBesideAWall) {
     Model model;
     addQuad(model, {0, 0, -60}, {0, 0, 60}, {60, 0, 60}, {60, 0, -60});
     addQuad(model, {0, 0, -60}, {0, 2, -60}, {0, 2, 60}, {0, 0, 60});
+    const auto truth = [](float d) { return 1 - (1 - d / std::sqrt(d * d + 4)) / 2; };
+    // High above, so that floor and wall lie in one face: `step` stops at its border.
     Options options = exact(12.0F);
+    const CubeMapImage within = capture(model, options, {1.5F, 6.0F, 0.1F});
     options.falloff = Falloff::Off;
-    // High above, so that floor and wall lie in one face: the estimator stops at its border.
+    options.horizonSplit = {.directions = 16, .steps = 64};
     const CubeMapImage cube = capture(model, options, {1.5F, 6.0F, 0.1F});
     for (const float d : {0.5F, 1.0F, 2.0F}) {
-        const float truth = 1 - (1 - d / std::sqrt(d * d + 4)) / 2;
-        // The estimator books a sample under the azimuth of its step, though the wall's upper
-        // parts, seen from above, stand in another: measured 0.049, 0.021 and 0.005.
-        EXPECT_NEAR(at(cube, {d, 0, 0.1F}), truth, 0.03F / d) << "at distance " << d;
+        // `step` books a sample under the azimuth of its step, though the wall's upper parts, seen
+        // from above, stand in another: measured 0.049, 0.021 and 0.005.
+        EXPECT_NEAR(at(within, {d, 0, 0.1F}), truth(d), 0.03F / d) << "at distance " << d;
+        // The horizon lies lower than the wall, by up to a step: measured 0.025 and less.
+        EXPECT_NEAR(at(cube, {d, 0, 0.1F}), truth(d), 0.03F) << "at distance " << d;
     }
 }
 
-TEST_P(AnalyticGLTest, TheInsideOfAClosedSphereIsClosed) {
+/// The inside of a sphere of radius 1.
+Model hollowSphere() {
     Model model;
     ModelMesh sphere;
     constexpr int kRings = 48;
@@ -88,15 +93,43 @@ TEST_P(AnalyticGLTest, TheInsideOfAClosedSphereIsClosed) {
         }
     }
     model.meshes.push_back(sphere);
-    Options options = exact(2.0F);
-    options.falloff = Falloff::Off;
-    const CubeMapImage cube = capture(model, options, {0, 0, 0});
-    // Truth 0. Within one face of 90 degrees the horizon ends at the face's border: from a face's
-    // centre H is the sine of 90 - 45 / 2 degrees and less, so that W = 1 - H^2 is about 0.6. The
-    // bound holds the estimator to that: a wrong H^2 or a lost direction leaves it.
-    const float centre = at(cube, {0, 0, -1});
-    const float borderAngle = 0.5F * std::atan(1.0F);
-    EXPECT_NEAR(centre, 1 - std::pow(std::sin(borderAngle), 2.0F), 0.05F);
+    return model;
+}
+
+TEST_P(AnalyticGLTest, AClosedRoomIsClosedWithoutFalloff) {
+    Model box;
+    addBox(box, {-2, -1, -3}, {2, 1, 3});
+    for (const Model& model : {hollowSphere(), box}) {
+        Options options = atOnce(); // steps and directions as they are by default
+        options.falloff = Falloff::Off;
+        options.cubeMaps.faceSize = 64;
+        options.cubeMaps.place = false;
+        const CubeMapImage cube = capture(model, options, {0.2F, 0.1F, -0.1F});
+        double sum = 0.0;
+        for (const float w : cube.visibility) {
+            sum += static_cast<double>(w);
+            ASSERT_LT(w, 0.02F);
+        }
+        EXPECT_LT(sum / static_cast<double>(cube.visibility.size()), 0.005);
+    }
+}
+
+TEST_P(AnalyticGLTest, ExpWeighsAllOfAClosedSphere) {
+    // A chord at an angle theta from the normal is 2 cos(theta) long. With a = 2 / radius the
+    // occlusion is the integral of 2 u e^(-a u) for u from 0 to 1.
+    for (const float radius : {2.0F, 0.5F, 0.2F}) {
+        Options options = exact(radius);
+        options.horizonSplit = {.directions = 8, .steps = 64};
+        options.cubeMaps.faceSize = 64;
+        options.falloff = Falloff::Exp;
+        const float a = 2.0F / radius;
+        const float truth = 1.0F - 2.0F * (1.0F - (1.0F + a) * std::exp(-a)) / (a * a);
+        const CubeMapImage cube = capture(hollowSphere(), options, {0.1F, 0.0F, 0.0F});
+        for (const glm::vec3& point :
+             {glm::vec3(0, 0, -1), glm::vec3(0, 1, 0), glm::normalize(glm::vec3(1, 0.6F, 0.8F))}) {
+            EXPECT_NEAR(at(cube, point), truth, 0.01F) << "radius " << radius;
+        }
+    }
 }
 
 TEST_P(AnalyticGLTest, FalloffWeighsByDistance) {
@@ -106,7 +139,8 @@ TEST_P(AnalyticGLTest, FalloffWeighsByDistance) {
     const auto occlusion = [&](Falloff falloff, float radius) {
         Options options = exact(radius);
         options.falloff = falloff;
-        options.horizonSplit.stepSize = 0.05F;
+        options.horizonSplit = {.directions = 16, .steps = 64, .stepSize = 0.05F};
+        options.cubeMaps.faceSize = 64;
         return 1 - at(capture(model, options, {-0.5F, 6, 0}), {0, 0, 0});
     };
     const float none = occlusion(Falloff::Off, 1.5F);

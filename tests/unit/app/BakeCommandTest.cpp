@@ -30,6 +30,30 @@ TEST_F(BakeCommandTest, ATextureGoesIntoTheMaterialAndIntoFiles) {
     EXPECT_GT(bent->at(32, 62, 1), 240) << "the upper pole's points up";
 }
 
+TEST_F(BakeCommandTest, FlagsThatNothingReadsAreWarnedOf) {
+    const auto warnings = [&](std::vector<std::string> options) {
+        options.insert(options.begin(), {"bake", "uv-box", "--ao", "ao.png", "--size", "16"});
+        const ProgramRun done = run(options);
+        EXPECT_EQ(done.exitCode, 0) << done.err;
+        return done.err;
+    };
+    const std::vector<std::vector<std::string>> unused{
+        {"--directions", "8"}, {"--raster", "64"}, {"--depth-size", "64"},  {"--no-stretch"},
+        {"--fit", "direct"},   {"--density", "2"}, {"--camera", "front"},   {"--animation", "0"},
+        {"--falloff", "exp"},  {"--bias", "2"},    {"--seams", "coverage"}, {"--width", "16"}};
+    for (const std::vector<std::string>& flag : unused) {
+        std::vector<std::string> options{"--rays", "4"};
+        options.insert(options.end(), flag.begin(), flag.end());
+        const std::string text = warnings(options);
+        EXPECT_NE(text.find("warning: " + flag[0] + " has no effect"), std::string::npos) << text;
+        EXPECT_EQ(text.find("--rays"), std::string::npos) << text;
+    }
+    EXPECT_EQ(warnings({"--rays", "4", "--sampling", "stratified", "--falloff", "exp", "--radius",
+                        "1", "--texel-samples", "4", "--padding", "2"})
+                  .find("warning"),
+              std::string::npos);
+}
+
 TEST_F(BakeCommandTest, MapsMayBeExr) {
     expectDone({"bake", "uv-box", "--ao", "ao.exr", "--bent-normals", "bent.exr", "--size", "16",
                 "--rays", "4"});

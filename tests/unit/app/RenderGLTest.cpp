@@ -1,5 +1,7 @@
 #include <cstring>
+#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "Program.h"
@@ -71,6 +73,54 @@ TEST_F(RenderGLTest, CaseFileGivesTheSamePixelsAsTheCommandLine) {
         expectSuccess(joined(joined(byCase, change), {"--ao", "c.pfm"}));
         EXPECT_TRUE(bytesOf("c.pfm") != bytesOf("a/ao.pfm")) << change[0];
     }
+}
+
+TEST_F(RenderGLTest, TheTableSaysWhichFramesItsTimesAreOf) {
+    const auto table = [&](const std::vector<std::string>& options) {
+        const ProgramRun rendered = run(joined(joined({"render", "cornell"}, options), kSmall));
+        EXPECT_EQ(rendered.exitCode, 0) << rendered.err;
+        EXPECT_NE(rendered.out.find("AO ms/frame computing  AO ms/frame converged"),
+                  std::string::npos)
+            << rendered.out;
+        EXPECT_NE(rendered.out.find("workers idle"), std::string::npos) << rendered.out;
+        // scene, triangles, cube maps, build
+        std::istringstream row(rendered.out.substr(rendered.out.find("\ncornell") + 1));
+        std::vector<std::string> cells(6);
+        for (std::string& cell : cells) {
+            row >> cell;
+        }
+        return std::pair(cells[4], cells[5]);
+    };
+    const auto [computing, converged] = table({"--estimator", "ray-traced"});
+    EXPECT_NE(computing, "-");
+    EXPECT_NE(converged, "-");
+    const auto [none, atOnce] = table({"--estimator", "horizon-split"});
+    EXPECT_EQ(none, "-") << "computed in the call that needs it";
+    EXPECT_NE(atOnce, "-");
+}
+
+TEST_F(RenderGLTest, OptionsThatNothingReadsAreWarnedOf) {
+    const auto warnings = [&](const std::vector<std::string>& options) {
+        const ProgramRun rendered = run(joined(joined({"render", "plane"}, options), kSmall));
+        EXPECT_EQ(rendered.exitCode, 0) << rendered.err;
+        return rendered.err;
+    };
+    for (const char* flag : {"--directions", "--steps", "--slices", "--slice-steps", "--layers"}) {
+        const std::string text = warnings({flag, "4", "--texel-rays", "16"});
+        EXPECT_NE(text.find(std::string("warning: ") + flag + " has no effect"), std::string::npos)
+            << text;
+        EXPECT_EQ(text.find("--texel-rays"), std::string::npos) << text;
+    }
+    const std::vector<std::string> horizon{"--estimator", "horizon-split", "--directions",
+                                           "2",           "--steps",       "2"};
+    EXPECT_EQ(warnings(joined(horizon, {"--step-size", "0.1"})).find("warning"), std::string::npos);
+    EXPECT_NE(warnings(joined(horizon, {"--step-size", "0.1", "--falloff", "none"}))
+                  .find("--step-size has no effect"),
+              std::string::npos);
+    EXPECT_NE(warnings(joined(horizon, {"--texel-rays", "8"})).find("--texel-rays"),
+              std::string::npos);
+    EXPECT_NE(warnings({"--backbone", "screenspace", "--nearest", "3"}).find("--nearest"),
+              std::string::npos);
 }
 
 TEST_F(RenderGLTest, PfmRowsGoFromBottomToTop) {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <aolib/Options.h>
+
 #include "shared/distance_code.h"
 #include "shared/falloff.h"
 #include "shared/normal_pair.h"
@@ -35,6 +37,21 @@ TEST(DistanceCodeTest, WorksAtEveryScale) {
         const float kept = throughSixteenBits(encodeDistance(777.0F * scale, span));
         EXPECT_NEAR(decodeDistance(kept, span) / (777.0F * scale), 1.0F, 2e-4F);
     }
+}
+
+TEST(FalloffTest, ReachEndsWhereWeightsDo) {
+    EXPECT_EQ(static_cast<int>(Falloff::Step), kFalloffStep);
+    EXPECT_EQ(static_cast<int>(Falloff::Exp), kFalloffExp);
+    EXPECT_EQ(static_cast<int>(Falloff::Off), kFalloffOff);
+    const float radius = 0.3F;
+    const float step = occluderReach(kFalloffStep, radius);
+    EXPECT_EQ(occluderWeight(kFalloffStep, step, radius), 0.0F);
+    EXPECT_EQ(occluderWeight(kFalloffStep, std::nextafter(step, 0.0F), radius), 1.0F);
+    // Half a step of 16 bits, and not much less.
+    const float left = occluderWeight(kFalloffExp, occluderReach(kFalloffExp, radius), radius);
+    EXPECT_LT(left, 0.5F / 65535.0F);
+    EXPECT_GT(left, 0.9F * 0.5F / 65535.0F);
+    EXPECT_GE(occluderReach(kFalloffOff, radius), 1e29F);
 }
 
 TEST(OctahedralTest, NormalsComeBack) {

@@ -1,5 +1,6 @@
 #include "backbone/AbstractBackbone.h"
 
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -47,7 +48,7 @@ AoStatus AbstractBackbone::initialise() {
 
 AoStatus AbstractBackbone::drawEnd(Frame& frame) {
     timer_.begin();
-    if (AoStatus status = host_.acquire(context_.gl, frame); !status) {
+    if (AoStatus status = host_.acquire(context_, frame); !status) {
         return status;
     }
     latest_ = frame;
@@ -64,7 +65,11 @@ AoStatus AbstractBackbone::drawEnd(Frame& frame) {
         if (!projected) {
             return projected.status();
         }
-        composite_.apply(context_, frame, {geometry_, visibility_, **projected, radius()});
+        if (AoStatus status = composite_.apply(context_, frame, host_,
+                                               {geometry_, visibility_, **projected, radius()});
+            !status) {
+            return status;
+        }
     }
     const AoStatus finished = finishFrame(frame);
     timer_.end();
@@ -136,10 +141,34 @@ Result<VisibilityImage> AbstractBackbone::readVisibility() {
     VisibilityImage image{visibility_.width(), visibility_.height(), {}};
     image.visibility.resize(static_cast<std::size_t>(image.width) *
                             static_cast<std::size_t>(image.height));
-    visibility_.beginRead(0);
+    const auto shown = shownVisibility(*latest_);
+    if (!shown) {
+        return shown.status();
+    }
+    (*shown)->beginRead(0);
     context_.gl.ReadPixels(0, 0, image.width, image.height, GL_RED, GL_FLOAT,
                            image.visibility.data());
     return image;
+}
+
+Result<const gl::RenderToTexture2D*> AbstractBackbone::shownVisibility(const Frame& frame) {
+    if (host_.samples() == nullptr) {
+        return &visibility_;
+    }
+    constexpr std::array<GLfloat, 4> kBackground{-1.0F, 0.0F, 0.0F, 0.0F};
+    AoStatus status = means_.become(context_.gl, {.width = frame.size.x,
+                                                  .height = frame.size.y,
+                                                  .targets = {gl::RenderToTexture2D::Format::R32F},
+                                                  .label = "aolib/frame/means of samples"});
+    if (status) {
+        means_.begin(0);
+        context_.gl.ClearBufferfv(GL_COLOR, 0, kBackground.data());
+        status = composite_.writeMeans(context_, frame, host_, visibility_);
+    }
+    if (!status) {
+        return status;
+    }
+    return &means_;
 }
 
 Statistics AbstractBackbone::statistics() {
@@ -147,7 +176,7 @@ Statistics AbstractBackbone::statistics() {
     statistics.frame = frame_;
     statistics.frameGpuMs = timer_.milliseconds();
     statistics.bytesFrame = host_.bytes() + geometry_.bytes() + applied_.bytes() + blur_.bytes() +
-                            (visibility_ ? visibility_.bytes() : 0);
+                            (visibility_ ? visibility_.bytes() : 0) + (means_ ? means_.bytes() : 0);
     addStatistics(statistics);
     return statistics;
 }

@@ -80,18 +80,22 @@ protected:
     const BackboneContext context_;
     HostFramebuffer host_;
     GeometryBuffer geometry_; ///< of frames that are not shaded directly
+    Composite composite_;
 
 private:
     /// Fills geometry_ and visibility_ for a frame.
     /// @return what computeVisibility() gave.
     Result<const gl::RenderToTexture2D*> fillBuffers(const Frame& frame);
 
+    /// W of pixels as they are read: the means of their samples where the host has several.
+    Result<const gl::RenderToTexture2D*> shownVisibility(const Frame& frame);
+
     gl::RenderToTexture2D visibility_; ///< W (-1 background), shaded; size of the frame
+    gl::RenderToTexture2D means_;      ///< W, of hosts with samples, when it is read
     std::optional<Frame> latest_;      ///< its depth is still in host_
     bool buffered_ = false;            ///< visibility_ belongs to the latest frame
     AppliedTextures applied_;
     Blur blur_;
-    Composite composite_;
     gl::GpuTimer timer_;
     float derivedFrom_ = 0.0F; ///< scene size that the derived radius belongs to
     std::uint64_t frame_ = 0;

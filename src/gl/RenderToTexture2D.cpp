@@ -12,11 +12,6 @@ namespace {
 
 constexpr int kMaxTargets = 8;
 
-bool hasStencil(RenderToTexture2D::Depth depth) {
-    return depth == RenderToTexture2D::Depth::Depth24Stencil8 ||
-           depth == RenderToTexture2D::Depth::Depth32FStencil8;
-}
-
 GLint glWrap(RenderToTexture2D::Wrap wrap) {
     return wrap == RenderToTexture2D::Wrap::Clamp ? GL_CLAMP_TO_EDGE : GL_REPEAT;
 }
@@ -88,10 +83,9 @@ Result<RenderToTexture2D> RenderToTexture2D::create(const Functions& gl, const S
     }
     if (settings.depth != Depth::None) {
         const TexelFormat texel = texelFormat(settings.depth);
-        const GLenum attachment =
-            hasStencil(settings.depth) ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT;
-        if (AoStatus status = rtt.addTexture(rtt.depth_, attachment, texel.internalFormat,
-                                             texel.format, texel.type, settings.label + "/depth");
+        if (AoStatus status = rtt.addTexture(rtt.depth_, depthAttachment(settings.depth),
+                                             texel.internalFormat, texel.format, texel.type,
+                                             settings.label + "/depth");
             !status) {
             return status;
         }

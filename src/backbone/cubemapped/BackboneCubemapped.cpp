@@ -299,7 +299,7 @@ void BackboneCubemapped::repair(const Frame& frame) {
         repairStatus_ = repair_.advance(view, budget);
     }
     const bool before = std::exchange(converged_, texelsComplete_ && repair_.done());
-    if (converged_ && !fallsBack()) {
+    if (converged_ && !tells()) {
         projection_->dropTold();
     }
     convergedIn_ = converged_ && !before ? frames_ + 1 : convergedIn_;
@@ -323,16 +323,25 @@ bool BackboneCubemapped::fallsBack() const {
     return Fallback::due(context_, any ? shownSurvey_.shaded : 0.0F, any && schedule_.atOnce());
 }
 
+bool BackboneCubemapped::tells() const {
+    return fallsBack() || host_.samples() != nullptr;
+}
+
 AoStatus BackboneCubemapped::shadeDirectly(const Frame& frame) {
-    if (!fallsBack()) {
-        return projected_.empty() ? AoStatus()
-                                  : projection_->shade(context_, frame, host_, kept(), projected_);
+    if (!fallsBack() && projected_.empty()) {
+        return {};
+    }
+    if (!tells()) {
+        return projection_->shade(context_, frame, host_, kept(), projected_);
     }
     const auto told = projection_->tell(context_, frame, host_, kept(), projected_);
-    if (told) {
-        fallback_->shade(context_, frame, host_, **told, radius());
+    if (!told) {
+        return told.status();
     }
-    return told.status();
+    if (fallsBack()) {
+        fallback_->fillTold(context_, frame, host_, **told, radius());
+    }
+    return composite_.blend(context_, frame, host_, **told);
 }
 
 void BackboneCubemapped::fillIn(const Frame& frame, const gl::RenderToTexture2D& projected,

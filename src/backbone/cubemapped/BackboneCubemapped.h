@@ -73,6 +73,8 @@ private:
     KeptTexels kept() const;
     /// Whether what no cube map knows is shaded by what is in sight.
     bool fallsBack() const;
+    /// Whether W goes into a texture before it is blended.
+    bool tells() const;
 
     SceneGeometry sceneGeometry_;
     CubeMaps cubeMaps_;

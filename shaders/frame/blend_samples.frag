@@ -3,8 +3,8 @@
 // pixels about it that show its surface. Over several samples it is the mean, background counting as 1.
 #include "frame/host_samples.glsl"
 
-uniform sampler2D uDepth;      // resolve_samples.frag's
-uniform sampler2D uEdges;      // the same pass's
+uniform sampler2D uDepth;      // one for each pixel, as resolve_samples.frag and resolve_edges.frag wrote it
+uniform sampler2D uEdges;      // resolve_edges.frag's
 uniform sampler2D uVisibility; // W of uDepth's surfaces; -1 is background, or unknown
 uniform ivec2 uOrigin;         // lower left corner of the host's viewport, pixels
 uniform float uContrast;
@@ -26,9 +26,7 @@ vec3 samplePosition(ivec2 pixel, int index, float d) {
 
 // Eye space, unit; towards the viewer where the surface does not go on to neighbours.
 vec3 sampleNormal(ivec2 pixel, int index, float d, vec3 position) {
-    float tolerance = planeTolerance(linearDepth(d));
-    vec2 slope = vec2(depthSlope(pixel, ivec2(1, 0), index, d, tolerance),
-                      depthSlope(pixel, ivec2(0, 1), index, d, tolerance));
+    vec2 slope = depthSlopes(pixel, index, d);
     // Over a small part of a pixel: a plane's depth values are linear, but may pass the far end's.
     const float kStep = 0.125;
     vec2 at = vec2(pixel) + samplePlace(index);
@@ -39,11 +37,10 @@ vec3 sampleNormal(ivec2 pixel, int index, float d, vec3 position) {
     return size > 0.0 && !isinf(size) ? normal * inversesqrt(size) : towardsViewer(position);
 }
 
-float sampleVisibility(ivec2 pixel, int index) {
+// @param wanted  else nothing but the least of work: a software rasteriser runs it all the same
+float sampleVisibility(ivec2 pixel, int index, bool wanted) {
     float d = sampleDepth(pixel, index);
-    if (d == uDepthFar) {
-        return 1.0;
-    }
+    wanted = wanted && d != uDepthFar;
     float t = linearDepth(d);
     vec3 position = samplePosition(pixel, index, d);
     vec3 normal = sampleNormal(pixel, index, d, position);
@@ -52,7 +49,8 @@ float sampleVisibility(ivec2 pixel, int index) {
     float weights = 0.0;
     float nearest = 1.0e30;
     float best = 1.0;
-    for (int i = 0; i < 9; ++i) {
+    int i = 0;
+    do {
         ivec2 other = pixel + ivec2(i % 3, i / 3) - 1;
         bool inside = all(greaterThanEqual(other, ivec2(0))) && all(lessThan(other, ivec2(uViewSize)));
         other = inside ? other : pixel;
@@ -69,18 +67,20 @@ float sampleVisibility(ivec2 pixel, int index) {
         weights += weight;
         best = off < nearest ? w : best;
         nearest = min(nearest, off);
-    }
-    return weights > 0.0 ? sum / weights : best;
+    } while (wanted && ++i < 9);
+    return !wanted ? 1.0 : weights > 0.0 ? sum / weights : best;
 }
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy) - uOrigin;
-    if (texelFetch(uEdges, pixel, 0).r <= 0.0) {
-        discard;
-    }
+    bool edge = texelFetch(uEdges, pixel, 0).r > 0.0;
     float sum = 0.0;
-    for (int index = uFirstSample; index < uEndSample; ++index) {
-        sum += sampleVisibility(pixel, index);
+    int index = uFirstSample;
+    do {
+        sum += sampleVisibility(pixel, index, edge);
+    } while (edge && ++index < uEndSample);
+    if (!edge) {
+        discard;
     }
     float visibility = sum / float(uEndSample - uFirstSample);
     outFactor = vec4(vec3(1.0 - uContrast + uContrast * visibility), 1.0);

@@ -1,18 +1,20 @@
 #version 330 core
-// Which tiles of the picture have pixels whose samples show several surfaces: 1 or 0.
-uniform sampler2D uEdges; // resolve_samples.frag's
-uniform int uTileSize;    // pixels along a tile's edge
+// Which tiles of the picture have pixels whose samples may show several surfaces: 1 or 0.
+uniform sampler2D uEdges; // resolve_samples.frag's, filtered
+uniform int uTileSize;    // pixels along a tile's edge, even
 
 layout(location = 0) out float outAny;
 
 void main() {
-    ivec2 first = uTileSize * ivec2(gl_FragCoord.xy);
-    ivec2 end = min(first + uTileSize, textureSize(uEdges, 0));
+    vec2 texel = 1.0 / vec2(textureSize(uEdges, 0));
+    vec2 first = float(uTileSize) * floor(gl_FragCoord.xy) + 1.0; // between four pixels
     float any = 0.0;
-    for (int y = first.y; y < end.y; ++y) {
-        for (int x = first.x; x < end.x; ++x) {
-            any = max(any, texelFetch(uEdges, ivec2(x, y), 0).r);
-        }
-    }
+    int y = 0;
+    do {
+        int x = 0;
+        do {
+            any += textureLod(uEdges, (first + 2.0 * vec2(x, y)) * texel, 0.0).r;
+        } while (2 * ++x < uTileSize);
+    } while (2 * ++y < uTileSize);
     outAny = any > 0.0 ? 1.0 : 0.0;
 }

@@ -22,18 +22,22 @@ float planeTolerance(float t) {
     return (kOnePlaneFootprints * pixelFootprint(t) + 4.0 * depthResolution(t)) / depthScale(t);
 }
 
-// Change of the depth buffer's value per pixel along `axis`, on the side where the surface continues: there
-// the next two values extrapolate to this one's best. 0 where it continues on neither side.
-float depthSlope(ivec2 pixel, ivec2 axis, int index, float d, float tolerance) {
-    ivec2 size = ivec2(uViewSize);
-    float before1 = sampleDepth(pixel - axis, index);
-    float after1 = sampleDepth(pixel + axis, index);
-    float missBefore = abs(2.0 * before1 - sampleDepth(pixel - 2 * axis, index) - d);
-    float missAfter = abs(2.0 * after1 - sampleDepth(pixel + 2 * axis, index) - d);
-    bool afterInside = all(lessThan(pixel + axis, size));
-    bool beforeInside = all(greaterThanEqual(pixel - axis, ivec2(0)));
-    bool useAfter = afterInside && (!beforeInside || missAfter < missBefore);
-    return (useAfter ? missAfter : missBefore) > tolerance ? 0.0
-           : useAfter                                      ? after1 - d
-                                                           : d - before1;
+// Change of the depth buffer's value per pixel to the right and upwards, each on the side where the surface
+// continues: there the next two values extrapolate to this one's best. 0 where it continues on neither side.
+vec2 depthSlopes(ivec2 pixel, int index, float d) {
+    float tolerance = planeTolerance(linearDepth(d));
+    vec2 slopes = vec2(0.0);
+    for (int i = 0; i < 2; ++i) {
+        ivec2 axis = ivec2(1 - i, i);
+        float before1 = sampleDepth(pixel - axis, index);
+        float after1 = sampleDepth(pixel + axis, index);
+        float missBefore = abs(2.0 * before1 - sampleDepth(pixel - 2 * axis, index) - d);
+        float missAfter = abs(2.0 * after1 - sampleDepth(pixel + 2 * axis, index) - d);
+        bool afterInside = all(lessThan(pixel + axis, ivec2(uViewSize)));
+        bool beforeInside = all(greaterThanEqual(pixel - axis, ivec2(0)));
+        bool useAfter = afterInside && (!beforeInside || missAfter < missBefore);
+        float slope = useAfter ? after1 - d : d - before1;
+        slopes[i] = (useAfter ? missAfter : missBefore) > tolerance ? 0.0 : slope;
+    }
+    return slopes;
 }

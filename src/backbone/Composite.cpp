@@ -90,7 +90,7 @@ AoStatus Composite::buildSampled(const gl::Functions& gl) {
     if (!inner) {
         return inner.status();
     }
-    auto samples = buildShader(gl, "frame/blend_samples.vert", "frame/blend_samples.frag");
+    auto samples = buildShader(gl, "frame/edge_tiles.vert", "frame/blend_samples.frag");
     if (!samples) {
         return samples.status();
     }

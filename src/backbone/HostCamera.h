@@ -50,8 +50,7 @@ public:
     /// @param depth  as the depth buffer has it; not that of the background
     /// @param place  in the pixel, 0 to 1
     Surface surfaceAt(const glm::ivec2& pixel, double depth, const glm::ivec2& size,
-                      const ClipConvention& clip,
-                      const glm::dvec2& place = glm::dvec2(0.5)) const;
+                      const ClipConvention& clip, const glm::dvec2& place = glm::dvec2(0.5)) const;
 
     bool operator==(const HostCamera&) const = default;
 

@@ -26,8 +26,7 @@ public:
     /// What the copied normals are multiplied by and what is added to get vectors.
     const glm::vec2& normalCode() const { return normalCode_; }
     std::size_t bytes() const {
-        return (depth_ ? depth_.bytes() : 0) + (normals_ ? normals_.bytes() : 0) +
-               samples_.bytes();
+        return (depth_ ? depth_.bytes() : 0) + (normals_ ? normals_.bytes() : 0) + samples_.bytes();
     }
 
 private:

@@ -28,25 +28,27 @@ bool HostSamples::canCopy(const gl::Functions& gl, int samples) {
 }
 
 AoStatus HostSamples::buildShaders(const gl::Functions& gl) {
-    if (resolve_ && findTiles_) {
-        return {};
-    }
-    auto resolve = buildShader(gl, "fullscreen.vert", "frame/resolve_samples.frag");
-    if (!resolve) {
-        return resolve.status();
-    }
-    auto findTiles = buildShader(gl, "fullscreen.vert", "frame/edge_tiles.frag");
-    if (!findTiles) {
-        return findTiles.status();
-    }
-    resolve_ = std::move(*resolve);
-    findTiles_ = std::move(*findTiles);
-    return {};
+    AoStatus status;
+    const auto build = [&](std::optional<gl::GLSLShader>& shader, const char* vertex,
+                           const char* fragment) {
+        if (status && !shader) {
+            auto built = buildShader(gl, vertex, fragment);
+            status = built.status();
+            if (built) {
+                shader = std::move(*built);
+            }
+        }
+    };
+    build(resolve_, "fullscreen.vert", "frame/resolve_samples.frag");
+    build(findTiles_, "fullscreen.vert", "frame/edge_tiles.frag");
+    build(resolveEdges_, "frame/edge_tiles.vert", "frame/resolve_edges.frag");
+    return status;
 }
 
 AoStatus HostSamples::makeTargets(const gl::Functions& gl, const glm::ivec2& size,
                                   gl::RenderToTexture2D::Depth format, int samples) {
     using Format = gl::RenderToTexture2D::Format;
+    using Filter = gl::RenderToTexture2D::Filter;
     AoStatus status = samples_.become(gl, {.width = size.x,
                                            .height = size.y,
                                            .samples = samples,
@@ -56,6 +58,8 @@ AoStatus HostSamples::makeTargets(const gl::Functions& gl, const glm::ivec2& siz
         status = resolved_.become(gl, {.width = size.x,
                                        .height = size.y,
                                        .targets = {Format::R32F, Format::R8},
+                                       .minFilter = Filter::Linear,
+                                       .magFilter = Filter::Linear,
                                        .label = "aolib/frame/resolved"});
     }
     const glm::ivec2 tiles = (size + kTileSize - 1) / kTileSize;
@@ -104,22 +108,27 @@ void HostSamples::setUniforms(gl::GLSLShader& shader) const {
     shader.set("uSampleAt", places_);
 }
 
-void HostSamples::resolve(const BackboneContext& context, const Frame& frame) {
+/// Binds a shader that finds one depth per pixel.
+void HostSamples::bindToResolve(const Frame& frame, gl::GLSLShader& shader) const {
     resolved_.beginAll();
-    resolve_->bind();
-    setUniforms(*resolve_);
-    resolve_->set("uSampleCount", count());
-    frame.camera.setUniforms(*resolve_, frame.size, frame.clip);
-    {
-        const gl::MultisampleBinding binding = bindSamples(context.gl);
-        context.generated.drawFullscreen();
-    }
+    shader.bind();
+    setUniforms(shader);
+    shader.set("uSampleCount", count());
+    frame.camera.setUniforms(shader, frame.size, frame.clip);
+}
+
+void HostSamples::resolve(const BackboneContext& context, const Frame& frame) {
+    const gl::MultisampleBinding binding = bindSamples(context.gl);
+    bindToResolve(frame, *resolve_);
+    context.generated.drawFullscreen();
     tiles_.begin(0);
     findTiles_->bind();
     bindEdges(kFoundEdgesUnit);
     findTiles_->set("uEdges", kFoundEdgesUnit);
     findTiles_->set("uTileSize", kTileSize);
     context.generated.drawFullscreen();
+    bindToResolve(frame, *resolveEdges_);
+    drawTiles(context, *resolveEdges_, kFoundEdgesUnit);
 }
 
 void HostSamples::drawTiles(const BackboneContext& context, gl::GLSLShader& shader,

@@ -37,14 +37,15 @@ public:
 
     /// One depth per pixel.
     void bindDepth(int unit) const { resolved_.bindTexture(0, unit); }
-    /// Which pixels show several surfaces, as shaders/frame/resolve_samples.frag writes it.
+    /// Which pixels show several surfaces, as shaders/frame/resolve_edges.frag writes it.
     void bindEdges(int unit) const { resolved_.bindTexture(1, unit); }
     /// Sets the uniforms of shaders/frame/host_samples.glsl but the view's.
     void setUniforms(gl::GLSLShader& shader) const;
     gl::MultisampleBinding bindSamples(const gl::Functions& gl) const {
         return {gl, samples_.textureName(), kUnit};
     }
-    /// Draws the tiles that have such pixels with a shader of shaders/frame/blend_samples.vert.
+    /// Draws the tiles that have such pixels with a shader of shaders/frame/edge_tiles.vert.
+    /// @param unit  that it may bind a texture to
     void drawTiles(const BackboneContext& context, gl::GLSLShader& shader, int unit) const;
 
     std::size_t bytes() const;
@@ -55,9 +56,11 @@ private:
                          gl::RenderToTexture2D::Depth format, int samples);
     void readPlaces(const gl::Functions& gl, int samples);
     void resolve(const BackboneContext& context, const Frame& frame);
+    void bindToResolve(const Frame& frame, gl::GLSLShader& shader) const;
 
     std::optional<gl::GLSLShader> resolve_;
     std::optional<gl::GLSLShader> findTiles_;
+    std::optional<gl::GLSLShader> resolveEdges_;
     std::vector<glm::vec4> places_; ///< x, y of each
     gl::MultisampleDepth samples_;
     gl::RenderToTexture2D resolved_; ///< depth; edges

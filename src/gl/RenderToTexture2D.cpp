@@ -83,9 +83,9 @@ Result<RenderToTexture2D> RenderToTexture2D::create(const Functions& gl, const S
     }
     if (settings.depth != Depth::None) {
         const TexelFormat texel = texelFormat(settings.depth);
-        if (AoStatus status = rtt.addTexture(rtt.depth_, depthAttachment(settings.depth),
-                                             texel.internalFormat, texel.format, texel.type,
-                                             settings.label + "/depth");
+        if (AoStatus status =
+                rtt.addTexture(rtt.depth_, depthAttachment(settings.depth), texel.internalFormat,
+                               texel.format, texel.type, settings.label + "/depth");
             !status) {
             return status;
         }

@@ -21,7 +21,7 @@ public:
     /// @param told    as Projection::tell() gives it
     /// @param radius  world units
     void fillTold(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,
-               const gl::RenderToTexture2D& told, float radius);
+                  const gl::RenderToTexture2D& told, float radius);
     /// The same into a target as Blur::apply() leaves it, as unshaded as they are.
     /// @param projected  as Projection::apply() gives it
     void fill(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,

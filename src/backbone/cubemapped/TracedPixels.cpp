@@ -135,12 +135,11 @@ AoStatus TracedPixels::ask(const RestingView& view) {
     if (!shader) {
         return shader.status();
     }
-    auto doubt =
-        gl::RenderToTexture2D::create(gl, {.width = size.x,
-                                           .height = size.y,
-                                           .targets = {samples == nullptr ? Format::R32F
-                                                                          : Format::RGBA32F},
-                                           .label = "aolib/repair/doubt"});
+    auto doubt = gl::RenderToTexture2D::create(
+        gl, {.width = size.x,
+             .height = size.y,
+             .targets = {samples == nullptr ? Format::R32F : Format::RGBA32F},
+             .label = "aolib/repair/doubt"});
     if (!doubt) {
         return doubt.status();
     }
@@ -177,10 +176,9 @@ void TracedPixels::plan(const glm::ivec2& size, std::span<const std::uint8_t> de
                 const glm::ivec2 at(x + block % kBlocks * kBlock + inBlock % kBlock,
                                     y + block / kBlocks * kBlock + inBlock / kBlock);
                 if (at.x < size.x && at.y < size.y) {
-                    const float* doubt =
-                        &rows[channels_ *
-                              (static_cast<std::size_t>(at.y) * static_cast<std::size_t>(size.x) +
-                               static_cast<std::size_t>(at.x))];
+                    const float* doubt = &rows[channels_ * (static_cast<std::size_t>(at.y) *
+                                                                static_cast<std::size_t>(size.x) +
+                                                            static_cast<std::size_t>(at.x))];
                     if (doubt[0] >= 0.0F) {
                         tile.push_back({at, doubt[0],
                                         channels_ == kDepthAlone

@@ -1,5 +1,6 @@
 #version 330 core
-// Two triangles over each tile that has pixels with several surfaces; nothing of the others.
+// Two triangles over each tile that has pixels whose samples may show several surfaces; nothing of the
+// others.
 uniform sampler2D uTiles; // edge_tiles.frag's
 uniform int uTileSize;    // pixels along a tile's edge
 uniform vec2 uViewSize;   // pixels

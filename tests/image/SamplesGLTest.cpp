@@ -26,7 +26,7 @@ struct Errors {
     double edges = 0.0; ///< RMSE of those that show several
     double read = 0.0;  ///< of those, of what readVisibility() tells
     int edgePixels = 0;
-    int outOfRange = 0; ///< pixels
+    int outOfRange = 0; ///< of those
 };
 
 Errors errorsOf(const MeasuredHost::Samples& samples, float range) {
@@ -63,10 +63,10 @@ Errors errorsOf(const MeasuredHost::Samples& samples, float range) {
             const double miss = static_cast<double>(shown - mean);
             const double missRead =
                 static_cast<double>(orBackground(samples.read.pixels[at]) - mean);
-            errors.outOfRange += shown < darkest - range || shown > brightest + range ? 1 : 0;
             if (several || most - least > kSeveral) {
                 errors.edges += miss * miss;
                 errors.read += missRead * missRead;
+                errors.outOfRange += shown < darkest - range || shown > brightest + range ? 1 : 0;
                 ++errors.edgePixels;
             } else {
                 errors.inner += miss * miss;

@@ -147,8 +147,9 @@ public:
 
     /// What the latest frame did and cost.
     Statistics statistics() const;
-    /// Reads back the latest frame's ambient occlusion; waits for the GPU.
-    /// Errors: InvalidCallOrder before the first frame. Context.
+    /// Reads back the latest frame's ambient occlusion; waits for the GPU. Where the host has
+    /// samples and a pixel shows several surfaces, W is the mean of its samples, background
+    /// counting as 1. Errors: InvalidCallOrder before the first frame. Context.
     Result<VisibilityImage> readVisibility();
     /// Reads back a cube map; waits for the GPU. Errors: UnknownCubeMap. Context.
     Result<CubeMapImage> readCubeMap(CubeMapId id);

@@ -323,16 +323,10 @@ bool BackboneCubemapped::fallsBack() const {
     return Fallback::due(context_, any ? shownSurvey_.shaded : 0.0F, any && schedule_.atOnce());
 }
 
-bool BackboneCubemapped::tells() const {
-    return fallsBack() || host_.samples() != nullptr;
-}
-
 AoStatus BackboneCubemapped::shadeDirectly(const Frame& frame) {
-    if (!fallsBack() && projected_.empty()) {
-        return {};
-    }
     if (!tells()) {
-        return projection_->shade(context_, frame, host_, kept(), projected_);
+        return projected_.empty() ? AoStatus()
+                                  : projection_->shade(context_, frame, host_, kept(), projected_);
     }
     const auto told = projection_->tell(context_, frame, host_, kept(), projected_);
     if (!told) {

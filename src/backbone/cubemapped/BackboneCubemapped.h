@@ -74,7 +74,7 @@ private:
     /// Whether what no cube map knows is shaded by what is in sight.
     bool fallsBack() const;
     /// Whether W goes into a texture before it is blended.
-    bool tells() const;
+    bool tells() const { return fallsBack() || host_.samples() != nullptr; }
 
     SceneGeometry sceneGeometry_;
     CubeMaps cubeMaps_;

@@ -192,8 +192,9 @@ public:
     /// repaired pixels; all else is the instance's. A view that has none is not converged.
     /// Since 0.1.
     Statistics statistics(ViewId view) const;
-    /// Reads back the latest frame's ambient occlusion; waits for the GPU.
-    /// Errors: InvalidCallOrder before the first frame. Context.
+    /// Reads back the latest frame's ambient occlusion; waits for the GPU. Where the host has
+    /// samples and a pixel shows several surfaces, W is the mean of its samples, background
+    /// counting as 1. Errors: InvalidCallOrder before the first frame. Context.
     Result<VisibilityImage> readVisibility();
     /// The same of a view's latest frame. Errors: InvalidCallOrder where it has none. Context.
     /// Since 0.1.

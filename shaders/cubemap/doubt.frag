@@ -1,17 +1,38 @@
 #version 330 core
 #extension GL_ARB_texture_gather : enable
 // Finds the pixels whose visibility the cube maps do not quite tell: the host's depth there, and
-// -1 elsewhere.
+// -1 elsewhere. Where the host has samples (AO_SAMPLES), also where in the pixel its surface is seen, and
+// the depth there: the surface of a pixel that shows several need not go on to the pixel's centre.
 #include "frame/host_surface.glsl"
 #include "cubemap/projection.glsl"
 
 uniform int uCubes;
 
-layout(location = 0) out float outDepth;
+#ifdef AO_SAMPLES
+uniform sampler2D uEdges; // resolve_samples.frag's
+uniform sampler2DMS uSamples;
+uniform vec4 uSampleAt[32]; // as in frame/host_samples.glsl
+
+layout(location = 0) out vec4 outDoubt; // depth, x and y in the pixel, depth there
+
+void writeDoubt(ivec2 pixel, float d) {
+    int nearest = int(255.0 * texelFetch(uEdges, pixel, 0).r + 0.5) - 1;
+    outDoubt = nearest < 0 ? vec4(d, 0.5, 0.5, d)
+                           : vec4(d, uSampleAt[nearest].xy, texelFetch(uSamples, pixel, nearest).r);
+}
+
+void writeNoDoubt() { outDoubt = vec4(-1.0); }
+#else
+layout(location = 0) out float outDoubt; // depth
+
+void writeDoubt(ivec2 pixel, float d) { outDoubt = d; }
+
+void writeNoDoubt() { outDoubt = -1.0; }
+#endif
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    outDepth = -1.0;
+    writeNoDoubt();
     HostSurface surface;
     if (!hostSurface(pixel, surface)) {
         return;
@@ -27,6 +48,6 @@ void main() {
     float d = rawDepth(pixel);
     if (best.doubt || isAlone(pixel, ivec2(1, 0), d, surface.t) ||
         isAlone(pixel, ivec2(0, 1), d, surface.t)) {
-        outDepth = d;
+        writeDoubt(pixel, d);
     }
 }

@@ -1,5 +1,6 @@
 #include "backbone/AbstractBackbone.h"
 
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -54,7 +55,7 @@ AoStatus AbstractBackbone::drawEnd(Frame& frame) {
 AoStatus AbstractBackbone::drawView(Frame& frame) {
     timer_.begin();
     ViewState& of = view();
-    if (AoStatus status = of.host.acquire(context_.gl, frame); !status) {
+    if (AoStatus status = of.host.acquire(context_, frame); !status) {
         return status;
     }
     of.latest = frame;
@@ -71,7 +72,11 @@ AoStatus AbstractBackbone::drawView(Frame& frame) {
         if (!projected) {
             return projected.status();
         }
-        composite_.apply(context_, frame, {of.geometry, of.visibility, **projected, radius()});
+        if (AoStatus status = composite_.apply(context_, frame, of.host,
+                                               {of.geometry, of.visibility, **projected, radius()});
+            !status) {
+            return status;
+        }
     }
     const AoStatus finished = finishFrame(frame);
     timer_.end();
@@ -164,11 +169,36 @@ Result<VisibilityImage> AbstractBackbone::readVisibility(ViewState* view) {
     VisibilityImage image{from.width(), from.height(), {}};
     image.visibility.resize(static_cast<std::size_t>(image.width) *
                             static_cast<std::size_t>(image.height));
-    from.beginRead(0);
+    const auto shown = shownVisibility(*view);
+    if (!shown) {
+        return shown.status();
+    }
+    (*shown)->beginRead(0);
     gl::usePixels(context_.gl);
     context_.gl.ReadPixels(0, 0, image.width, image.height, GL_RED, GL_FLOAT,
                            image.visibility.data());
     return image;
+}
+
+Result<const gl::RenderToTexture2D*> AbstractBackbone::shownVisibility(const ViewState& of) {
+    if (of.host.samples() == nullptr) {
+        return &of.visibility;
+    }
+    const Frame& frame = *of.latest;
+    constexpr std::array<GLfloat, 4> kBackground{-1.0F, 0.0F, 0.0F, 0.0F};
+    AoStatus status = means_.become(context_.gl, {.width = frame.size.x,
+                                                  .height = frame.size.y,
+                                                  .targets = {gl::RenderToTexture2D::Format::R32F},
+                                                  .label = "aolib/frame/means of samples"});
+    if (status) {
+        means_.begin(0);
+        context_.gl.ClearBufferfv(GL_COLOR, 0, kBackground.data());
+        status = composite_.writeMeans(context_, frame, of.host, of.visibility);
+    }
+    if (!status) {
+        return status;
+    }
+    return &means_;
 }
 
 Statistics AbstractBackbone::statistics() {
@@ -184,6 +214,7 @@ Statistics AbstractBackbone::statisticsOf(const ViewState* view) {
     statistics.frame = frame_;
     statistics.frameGpuMs = timer_.milliseconds();
     statistics.views = static_cast<int>(views_.all().size());
+    statistics.bytesFrame = means_ ? means_.bytes() : 0;
     statistics.allConverged = !views_.all().empty();
     for (const auto& one : views_.all()) {
         statistics.bytesFrame += one->bytes();

@@ -96,6 +96,7 @@ protected:
 
     const BackboneContext context_;
     ViewTable views_;
+    Composite composite_;
 
 private:
     /// The view that a frame belongs to becomes the current one.
@@ -108,9 +109,13 @@ private:
     Result<VisibilityImage> readVisibility(ViewState* view);
     Statistics statisticsOf(const ViewState* view);
 
+    /// W of a view's pixels as they are read: the means of their samples where the host has
+    /// several.
+    Result<const gl::RenderToTexture2D*> shownVisibility(const ViewState& of);
+
     GeometryPass geometryPass_;
+    gl::RenderToTexture2D means_; ///< W, of hosts with samples, when it is read
     Blur blur_;
-    Composite composite_;
     gl::GpuTimer timer_;
     float derivedFrom_ = 0.0F; ///< scene size that the derived radius belongs to
     std::uint64_t frame_ = 0;

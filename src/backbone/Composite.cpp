@@ -1,5 +1,7 @@
 #include "backbone/Composite.h"
 
+#include <utility>
+
 #include <glm/common.hpp>
 
 #include "backbone/ShaderLibrary.h"
@@ -7,6 +9,15 @@
 #include "gl/StateGuard.h"
 
 namespace aolib {
+
+namespace {
+
+constexpr int kBlendedUnit = 0; ///< of what is blended
+constexpr int kBlendEdgesUnit = 1;
+constexpr int kBlendDepthUnit = 2;
+constexpr int kBlendTilesUnit = 3;
+
+} // namespace
 
 void beginHostColours(const BackboneContext& context, const Frame& frame) {
     const gl::Functions& gl = context.gl;
@@ -27,11 +38,18 @@ void beginHostColours(const BackboneContext& context, const Frame& frame) {
     }
 }
 
+void beginBlend(const BackboneContext& context) {
+    gl::beginBlending(context.gl, GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
+}
+
+void endBlend(const BackboneContext& context) {
+    gl::endBlending(context.gl);
+}
+
 void blendIntoHost(const BackboneContext& context) {
-    const gl::Functions& gl = context.gl;
-    gl::beginBlending(gl, GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
+    beginBlend(context);
     context.generated.drawFullscreen();
-    gl::endBlending(gl);
+    endBlend(context);
 }
 
 void endHostColours(const BackboneContext& context) {
@@ -58,24 +76,116 @@ Result<Composite> Composite::create(const BackboneContext& context) {
     return composite;
 }
 
-void Composite::apply(const BackboneContext& context, const Frame& frame, const Inputs& inputs) {
-    const gl::DebugGroup group(context.gl, "aolib: composite");
-    beginHostColours(context, frame);
+AoStatus Composite::apply(const BackboneContext& context, const Frame& frame,
+                          const HostFramebuffer& host, const Inputs& inputs) {
     if (context.options.debugView == DebugView::Off) {
-        blend(context, frame, inputs);
-    } else {
-        show(context, frame, inputs);
+        return blend(context, frame, host, inputs.visibility);
     }
+    const gl::DebugGroup group(context.gl, "aolib: debug view");
+    beginHostColours(context, frame);
+    show(context, frame, inputs);
     endHostColours(context);
+    return {};
 }
 
-void Composite::blend(const BackboneContext& context, const Frame& frame, const Inputs& inputs) {
-    blend_.bind();
-    inputs.visibility.bindTexture(0, 0);
-    blend_.set("uVisibility", 0);
-    blend_.set("uOrigin", frame.origin);
-    blend_.set("uContrast", context.options.contrast);
-    blendIntoHost(context);
+AoStatus Composite::buildSampled(const gl::Functions& gl) {
+    if (blendInner_ && blendSamples_) {
+        return {};
+    }
+    auto inner = buildShader(gl, "fullscreen.vert", "frame/composite.frag", {"AO_EDGES"});
+    if (!inner) {
+        return inner.status();
+    }
+    auto samples = buildShader(gl, "frame/edge_tiles.vert", "frame/blend_samples.frag");
+    if (!samples) {
+        return samples.status();
+    }
+    blendInner_ = std::move(*inner);
+    blendSamples_ = std::move(*samples);
+    return {};
+}
+
+AoStatus Composite::blend(const BackboneContext& context, const Frame& frame,
+                          const HostFramebuffer& host, const gl::RenderToTexture2D& visibility) {
+    const gl::DebugGroup group(context.gl, "aolib: composite");
+    if (host.samples() != nullptr) {
+        if (AoStatus status = buildSampled(context.gl); !status) {
+            return status;
+        }
+    }
+    const float contrast = context.options.contrast;
+    beginHostColours(context, frame);
+    beginBlend(context);
+    drawPixels(context, host, visibility, frame.origin, contrast);
+    if (host.samples() != nullptr) {
+        GLint samples = 0; // of the colours: aoApply may be given others
+        context.gl.GetIntegerv(GL_SAMPLES, &samples);
+        drawEdges(context, frame, host, visibility, frame.origin, contrast,
+                  samples == host.samples()->count());
+    }
+    endBlend(context);
+    endHostColours(context);
+    return {};
+}
+
+AoStatus Composite::writeMeans(const BackboneContext& context, const Frame& frame,
+                               const HostFramebuffer& host,
+                               const gl::RenderToTexture2D& visibility) {
+    if (AoStatus status = buildSampled(context.gl); !status) {
+        return status;
+    }
+    drawPixels(context, host, visibility, glm::ivec2(0), 1.0F);
+    drawEdges(context, frame, host, visibility, glm::ivec2(0), 1.0F, /*each=*/false);
+    return {};
+}
+
+void Composite::drawPixels(const BackboneContext& context, const HostFramebuffer& host,
+                           const gl::RenderToTexture2D& visibility, const glm::ivec2& origin,
+                           float contrast) {
+    gl::GLSLShader& shader = host.samples() != nullptr ? *blendInner_ : blend_;
+    shader.bind();
+    visibility.bindTexture(0, kBlendedUnit);
+    shader.set("uVisibility", kBlendedUnit);
+    if (host.samples() != nullptr) {
+        host.samples()->bindEdges(kBlendEdgesUnit);
+        shader.set("uEdges", kBlendEdgesUnit);
+    }
+    shader.set("uOrigin", origin);
+    shader.set("uContrast", contrast);
+    context.generated.drawFullscreen();
+}
+
+void Composite::drawEdges(const BackboneContext& context, const Frame& frame,
+                          const HostFramebuffer& host, const gl::RenderToTexture2D& visibility,
+                          const glm::ivec2& origin, float contrast, bool each) {
+    const HostSamples& samples = *host.samples();
+    gl::GLSLShader& shader = *blendSamples_;
+    shader.bind();
+    samples.setUniforms(shader);
+    frame.camera.setUniforms(shader, frame.size, frame.clip);
+    visibility.bindTexture(0, kBlendedUnit);
+    samples.bindEdges(kBlendEdgesUnit);
+    samples.bindDepth(kBlendDepthUnit);
+    shader.set("uVisibility", kBlendedUnit);
+    shader.set("uEdges", kBlendEdgesUnit);
+    shader.set("uDepth", kBlendDepthUnit);
+    shader.set("uOrigin", origin);
+    shader.set("uContrast", contrast);
+    const gl::MultisampleBinding binding = samples.bindSamples(context.gl);
+    const auto draw = [&](int first, int end) {
+        shader.set("uFirstSample", first);
+        shader.set("uEndSample", end);
+        samples.drawTiles(context, shader, kBlendTilesUnit);
+    };
+    if (!each) {
+        draw(0, samples.count());
+        return;
+    }
+    const gl::SampleMask mask(context.gl);
+    for (int sample = 0; sample < samples.count(); ++sample) {
+        mask.only(sample);
+        draw(sample, sample + 1);
+    }
 }
 
 void Composite::show(const BackboneContext& context, const Frame& frame, const Inputs& inputs) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include <aolib/Status.h>
 
 #include "backbone/GeometryBuffer.h"
@@ -18,18 +20,42 @@ public:
         const gl::RenderToTexture2D& projected;  ///< before the blur
         float radius;                            ///< world units
     };
-    void apply(const BackboneContext& context, const Frame& frame, const Inputs& inputs);
+    /// Errors: ShaderError.
+    AoStatus apply(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,
+                   const Inputs& inputs);
+    /// Multiplies the host's colours by W: every sample by its own where the host has several.
+    /// @param visibility  W; -1 for background and where nothing is known. Errors: ShaderError.
+    AoStatus blend(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,
+                   const gl::RenderToTexture2D& visibility);
+    /// Writes W to the target that is bound, the mean of a pixel's samples, background counting as
+    /// 1. Pixels that show background alone stay as they are. Errors: ShaderError.
+    AoStatus writeMeans(const BackboneContext& context, const Frame& frame,
+                        const HostFramebuffer& host, const gl::RenderToTexture2D& visibility);
 
 private:
-    void blend(const BackboneContext& context, const Frame& frame, const Inputs& inputs);
+    AoStatus buildSampled(const gl::Functions& gl);
+    /// Draws the factors of all pixels, but of those with several surfaces.
+    void drawPixels(const BackboneContext& context, const HostFramebuffer& host,
+                    const gl::RenderToTexture2D& visibility, const glm::ivec2& origin,
+                    float contrast);
+    /// Draws the factors of pixels with several surfaces.
+    /// @param each  sample by sample; else their mean
+    void drawEdges(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,
+                   const gl::RenderToTexture2D& visibility, const glm::ivec2& origin,
+                   float contrast, bool each);
     void show(const BackboneContext& context, const Frame& frame, const Inputs& inputs);
 
     gl::GLSLShader blend_;
     gl::GLSLShader show_;
+    std::optional<gl::GLSLShader> blendInner_;   ///< without pixels with several surfaces, and ...
+    std::optional<gl::GLSLShader> blendSamples_; ///< ... those; built for the first such host
 };
 
 /// Directs rendering to the host's colour buffer 0 and its viewport, everything else masked off.
 void beginHostColours(const BackboneContext& context, const Frame& frame);
+/// Multiplies what is drawn into the host's colours, from here to endBlend().
+void beginBlend(const BackboneContext& context);
+void endBlend(const BackboneContext& context);
 /// Multiplies the bound shader's output into the host's colours.
 void blendIntoHost(const BackboneContext& context);
 /// Undoes what beginHostColours() did to the clean slate.

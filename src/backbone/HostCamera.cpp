@@ -179,8 +179,8 @@ HostCamera::DepthRule HostCamera::depthRule(const ClipConvention& clip) const {
 }
 
 HostCamera::Surface HostCamera::surfaceAt(const glm::ivec2& pixel, double depth,
-                                          const glm::ivec2& size,
-                                          const ClipConvention& clip) const {
+                                          const glm::ivec2& size, const ClipConvention& clip,
+                                          const glm::dvec2& place) const {
     const glm::dmat4& p = projection_;
     const auto [far, rule] = depthRule(clip);
     const double e = depth - far;
@@ -188,7 +188,7 @@ HostCamera::Surface HostCamera::surfaceAt(const glm::ivec2& pixel, double depth,
     const double t = (rule[0] + rule[1] * e) / denominator;
     const double w = p[3][3] - p[2][3] * t;
     const double flip = clip.upperLeft ? -1.0 : 1.0;
-    const glm::dvec2 ndc = (glm::dvec2(pixel) + 0.5) / glm::dvec2(size) * 2.0 - 1.0;
+    const glm::dvec2 ndc = (glm::dvec2(pixel) + place) / glm::dvec2(size) * 2.0 - 1.0;
     const glm::dvec3 eye((ndc.x * w + p[2][0] * t - p[3][0]) / p[0][0],
                          (flip * ndc.y * w + p[2][1] * t - p[3][1]) / p[1][1], -t);
     const glm::dvec3 viewer =

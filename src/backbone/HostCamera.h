@@ -63,8 +63,9 @@ public:
     };
     /// What shaders/frame/host_surface.glsl finds behind a pixel, in double precision.
     /// @param depth  as the depth buffer has it; not that of the background
+    /// @param place  in the pixel, 0 to 1
     Surface surfaceAt(const glm::ivec2& pixel, double depth, const glm::ivec2& size,
-                      const ClipConvention& clip) const;
+                      const ClipConvention& clip, const glm::dvec2& place = glm::dvec2(0.5)) const;
 
     bool operator==(const HostCamera&) const = default;
 

@@ -59,7 +59,8 @@ Depth matching(const HostDepth& host) {
 
 } // namespace
 
-AoStatus HostFramebuffer::acquire(const gl::Functions& gl, Frame& frame) {
+AoStatus HostFramebuffer::acquire(const BackboneContext& context, Frame& frame) {
+    const gl::Functions& gl = context.gl;
     gl.BindFramebuffer(GL_FRAMEBUFFER, frame.depthFramebuffer);
     if (const GLenum state = gl.CheckFramebufferStatus(GL_READ_FRAMEBUFFER);
         state != GL_FRAMEBUFFER_COMPLETE) {
@@ -74,15 +75,31 @@ AoStatus HostFramebuffer::acquire(const gl::Functions& gl, Frame& frame) {
                                                     " has no depth buffer"};
     }
     frame.clip.depthQuantum = std::exp2(-std::min(24, host.bits));
-    if (AoStatus status = copyDepth(gl, frame, matching(host)); !status) {
+    if (AoStatus status = copyDepth(context, frame, matching(host)); !status) {
         return status;
     }
     return frame.hostNormals ? copyNormals(gl, frame) : AoStatus();
 }
 
-AoStatus HostFramebuffer::copyDepth(const gl::Functions& gl, const Frame& frame, Depth format) {
+AoStatus HostFramebuffer::copyDepth(const BackboneContext& context, const Frame& frame,
+                                    Depth format) {
+    const gl::Functions& gl = context.gl;
     GLint samples = 0;
     gl.GetIntegerv(GL_SAMPLES, &samples);
+    sampled_ = false;
+    if (samples != refused_ && HostSamples::canCopy(gl, samples)) {
+        AoStatus status = samples_.acquire(context, frame, format, samples);
+        sampled_ = status.ok();
+        if (status.code() != StatusCode::MissingCapability) {
+            return status;
+        }
+        refused_ = samples;
+    }
+    return copyOneSample(gl, frame, format, samples);
+}
+
+AoStatus HostFramebuffer::copyOneSample(const gl::Functions& gl, const Frame& frame, Depth format,
+                                        int samples) {
     if (AoStatus status = depth_.become(gl, {.width = frame.size.x,
                                              .height = frame.size.y,
                                              .targets = {},

@@ -3,6 +3,7 @@
 #include <aolib/Status.h>
 
 #include "backbone/Frame.h"
+#include "backbone/HostSamples.h"
 #include "gl/RenderToTexture2D.h"
 
 namespace aolib {
@@ -12,23 +13,34 @@ namespace aolib {
 /// its own targets stay as they are.
 class HostFramebuffer {
 public:
-    /// Copies the viewport's part of the depth buffer, resolving samples, and tells its precision.
-    /// Errors: InvalidFramebuffer, OutOfMemory, MissingCapability.
-    AoStatus acquire(const gl::Functions& gl, Frame& frame);
-    void bindDepth(int unit) const { depth_.bindDepthTexture(unit); }
+    /// Copies the viewport's part of the depth buffer, its samples too, and tells its precision.
+    /// Errors: InvalidFramebuffer, OutOfMemory, MissingCapability, ShaderError.
+    AoStatus acquire(const BackboneContext& context, Frame& frame);
+    /// One depth per pixel.
+    void bindDepth(int unit) const {
+        sampled_ ? samples_.bindDepth(unit) : depth_.bindDepthTexture(unit);
+    }
+    /// Null where the host's depth has one sample per pixel.
+    const HostSamples* samples() const { return sampled_ ? &samples_ : nullptr; }
     void bindNormals(int unit) const { normals_.bindTexture(0, unit); }
     /// What the copied normals are multiplied by and what is added to get vectors.
     const glm::vec2& normalCode() const { return normalCode_; }
     std::size_t bytes() const {
-        return (depth_ ? depth_.bytes() : 0) + (normals_ ? normals_.bytes() : 0);
+        return (depth_ ? depth_.bytes() : 0) + (normals_ ? normals_.bytes() : 0) + samples_.bytes();
     }
 
 private:
-    AoStatus copyDepth(const gl::Functions& gl, const Frame& frame,
+    AoStatus copyDepth(const BackboneContext& context, const Frame& frame,
                        gl::RenderToTexture2D::Depth format);
+    /// The depth alone, of some sample where there are several.
+    AoStatus copyOneSample(const gl::Functions& gl, const Frame& frame,
+                           gl::RenderToTexture2D::Depth format, int samples);
     AoStatus copyNormals(const gl::Functions& gl, const Frame& frame);
 
-    gl::RenderToTexture2D depth_;
+    gl::RenderToTexture2D depth_; ///< of hosts without samples
+    HostSamples samples_;
+    bool sampled_ = false; ///< samples_ holds the frame's depth
+    int refused_ = 0;      ///< samples that the driver has no texture for
     gl::RenderToTexture2D normals_;
     glm::vec2 normalCode_{1.0F, 0.0F};
 };

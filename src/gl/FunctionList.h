@@ -75,6 +75,7 @@
     X(PFNGLGETFRAMEBUFFERATTACHMENTPARAMETERIVPROC, GetFramebufferAttachmentParameteriv)           \
     X(PFNGLGETINTEGERI_VPROC, GetIntegeri_v)                                                       \
     X(PFNGLGETINTEGERVPROC, GetIntegerv)                                                           \
+    X(PFNGLGETMULTISAMPLEFVPROC, GetMultisamplefv)                                                 \
     X(PFNGLGETPROGRAMINFOLOGPROC, GetProgramInfoLog)                                               \
     X(PFNGLGETPROGRAMIVPROC, GetProgramiv)                                                         \
     X(PFNGLGETQUERYOBJECTIVPROC, GetQueryObjectiv)                                                 \
@@ -104,9 +105,11 @@
     X(PFNGLREADBUFFERPROC, ReadBuffer)                                                             \
     X(PFNGLREADPIXELSPROC, ReadPixels)                                                             \
     X(PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC, RenderbufferStorageMultisample)                     \
+    X(PFNGLSAMPLEMASKIPROC, SampleMaski)                                                           \
     X(PFNGLSCISSORPROC, Scissor)                                                                   \
     X(PFNGLSHADERSOURCEPROC, ShaderSource)                                                         \
     X(PFNGLTEXIMAGE2DPROC, TexImage2D)                                                             \
+    X(PFNGLTEXIMAGE2DMULTISAMPLEPROC, TexImage2DMultisample)                                       \
     X(PFNGLTEXIMAGE3DPROC, TexImage3D)                                                             \
     X(PFNGLTEXPARAMETERIPROC, TexParameteri)                                                       \
     X(PFNGLTEXSUBIMAGE3DPROC, TexSubImage3D)                                                       \

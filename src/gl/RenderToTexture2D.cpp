@@ -13,11 +13,6 @@ namespace {
 
 constexpr int kMaxTargets = 8;
 
-bool hasStencil(RenderToTexture2D::Depth depth) {
-    return depth == RenderToTexture2D::Depth::Depth24Stencil8 ||
-           depth == RenderToTexture2D::Depth::Depth32FStencil8;
-}
-
 GLint glWrap(RenderToTexture2D::Wrap wrap) {
     return wrap == RenderToTexture2D::Wrap::Clamp ? GL_CLAMP_TO_EDGE : GL_REPEAT;
 }
@@ -75,10 +70,7 @@ AoStatus RenderToTexture2D::addFramebuffer() {
     }
     const std::size_t colours = attachments.size();
     if (depth_) {
-        attachments.push_back(
-            {static_cast<GLenum>(hasStencil(settings_.depth) ? GL_DEPTH_STENCIL_ATTACHMENT
-                                                             : GL_DEPTH_ATTACHMENT),
-             depth_.name()});
+        attachments.push_back({depthAttachment(settings_.depth), depth_.name()});
     }
     const auto fill = [attachments, colours, label = settings_.label](const Functions& gl,
                                                                       GLuint name) -> AoStatus {

@@ -56,4 +56,11 @@ TexelFormat texelFormat(RenderToTexture2D::Depth depth) {
     return {};
 }
 
+GLenum depthAttachment(RenderToTexture2D::Depth depth) {
+    return depth == RenderToTexture2D::Depth::Depth24Stencil8 ||
+                   depth == RenderToTexture2D::Depth::Depth32FStencil8
+               ? GL_DEPTH_STENCIL_ATTACHMENT
+               : GL_DEPTH_ATTACHMENT;
+}
+
 } // namespace aolib::gl

@@ -17,5 +17,7 @@ struct TexelFormat {
 TexelFormat texelFormat(RenderToTexture2D::Format format);
 /// All zero for Depth::None.
 TexelFormat texelFormat(RenderToTexture2D::Depth depth);
+/// Where a depth texture is attached: as depth, or as depth and stencil.
+GLenum depthAttachment(RenderToTexture2D::Depth depth);
 
 } // namespace aolib::gl

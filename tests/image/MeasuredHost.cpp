@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <aolib/RayTracing.h>
+
 #include "TracedView.h"
 #include "gl/RenderToTexture2D.h"
 #include "host/ModelScene.h"
@@ -30,6 +32,9 @@ FloatImage inner(const FloatImage& picture) {
     return image;
 }
 
+/// Frames until a picture at rest is complete, at most.
+constexpr int kMostFramesAtRest = 50;
+
 /// The options of all.
 Options measuredOptions(MeasuredHost::View view) {
     Options options;
@@ -49,12 +54,25 @@ Options measuredOptions(MeasuredHost::View view) {
 
 MeasuredHost::MeasuredHost(const gl::Functions& gl, ProcAddressLoader loader, const Model& model,
                            TracedKinds& truth, View view)
+    : MeasuredHost(gl, std::move(loader), model, truth, view, measuredOptions(view)) {}
+
+MeasuredHost::MeasuredHost(const gl::Functions& gl, ProcAddressLoader loader, const Model& model,
+                           TracedKinds& truth, const Options& options)
+    : MeasuredHost(gl, std::move(loader), model, truth, View::AtRest, options) {}
+
+MeasuredHost::MeasuredHost(const gl::Functions& gl, ProcAddressLoader loader, const Model& model,
+                           TracedKinds& truth, View view, const Options& options)
     : gl_(gl), loader_(std::move(loader)), truth_(truth), view_(view), host_(gl, model) {
-    auto ao = AmbientOcclusion::create(loader_, measuredOptions(view));
+    auto ao = AmbientOcclusion::create(loader_, options);
     EXPECT_TRUE(ao.ok()) << ao.status().message();
     ao_.emplace(std::move(*ao));
     EXPECT_TRUE(host::describeScene(*ao_, model, host::SceneNormals::Geometric).ok());
-    EXPECT_TRUE(ao_->addCubeMap(glm::vec3(kEye)).ok());
+    if (options.estimator == Estimator::RayTraced) {
+        ao_->setTexelTracer(std::move(*createTexelTracer(2)));
+    }
+    if (options.backbone == Backbone::Cubemapped) {
+        EXPECT_TRUE(ao_->addCubeMap(glm::vec3(kEye)).ok());
+    }
 }
 
 /// What a host draws to.
@@ -158,13 +176,8 @@ FloatImage MeasuredHost::expected(const CameraKind& camera, int samples) {
     if (samples == 0) {
         return truth_.of(camera);
     }
-    using Position = void(APIENTRY*)(GLenum, GLuint, GLfloat*);
-    const auto position = reinterpret_cast<Position>(loader_("glGetMultisamplefv"));
     FloatImage mean(kWidth, kHeight, 1, 0.0F);
-    for (int i = 0; i < samples; ++i) {
-        std::array<GLfloat, 2> at{};
-        position(GL_SAMPLE_POSITION, static_cast<GLuint>(i), at.data());
-        const FloatImage one = truth_.of(camera, glm::dvec2(at[0], at[1]) - 0.5);
+    for (const FloatImage& one : sampleTruth(camera, samples)) {
         for (std::size_t k = 0; k < mean.pixels.size(); ++k) {
             const bool background = one.pixels[k] < 0.0F || mean.pixels[k] < 0.0F;
             mean.pixels[k] = background
@@ -173,6 +186,19 @@ FloatImage MeasuredHost::expected(const CameraKind& camera, int samples) {
         }
     }
     return mean;
+}
+
+std::vector<FloatImage> MeasuredHost::sampleTruth(const CameraKind& camera, int samples) {
+    using Position = void(APIENTRY*)(GLenum, GLuint, GLfloat*);
+    const auto position = reinterpret_cast<Position>(loader_("glGetMultisamplefv"));
+    std::vector<FloatImage> truth;
+    for (int i = 0; i < samples; ++i) {
+        std::array<GLfloat, 2> at{};
+        position(GL_SAMPLE_POSITION, static_cast<GLuint>(i), at.data());
+        const double up = camera.mirrored ? -1.0 : 1.0; // rows of the truth run upwards
+        truth.push_back(truth_.of(camera, glm::dvec2(at[0] - 0.5, up * (at[1] - 0.5))));
+    }
+    return truth;
 }
 
 FloatImage MeasuredHost::colours(const CameraKind& camera, const FramebufferKind& kind) const {
@@ -195,6 +221,53 @@ FloatImage MeasuredHost::colours(const CameraKind& camera, const FramebufferKind
     return image;
 }
 
+FloatImage MeasuredHost::resolvedColours(const CameraKind& camera, const FramebufferKind& kind,
+                                         const Target& target) const {
+    std::optional<gl::RenderToTexture2D> resolved;
+    if (kind.samples > 0) {
+        resolved.emplace(std::move(
+            *gl::RenderToTexture2D::create(gl_, {.width = kWidth,
+                                                 .height = kHeight,
+                                                 .targets = {gl::RenderToTexture2D::Format::RGBA8},
+                                                 .label = "resolved"})));
+        gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, target.framebuffer.name());
+        gl_.BlitFramebuffer(kind.origin.x, kind.origin.y, kind.origin.x + kWidth,
+                            kind.origin.y + kHeight, 0, 0, kWidth, kHeight, GL_COLOR_BUFFER_BIT,
+                            GL_NEAREST);
+        resolved->beginRead(0);
+    }
+    return colours(camera, kind);
+}
+
+MeasuredHost::Samples MeasuredHost::samples(const CameraKind& camera, const FramebufferKind& kind) {
+    const Target target = make(kind);
+    for (int i = 0; i < kMostFramesAtRest; ++i) {
+        gl_.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.name());
+        frame(camera, kind, {});
+        if (ao_->statistics().converged && i > 0) {
+            break;
+        }
+    }
+    EXPECT_TRUE(ao_->statistics().converged);
+    GLint samples = 0; // maybe more than were asked for
+    gl_.GetIntegerv(GL_SAMPLES, &samples);
+    Samples result{
+        .shown = {}, .read = FloatImage(kWidth, kHeight, 1), .truth = sampleTruth(camera, samples)};
+    const auto read = ao_->readVisibility();
+    EXPECT_TRUE(read.ok()) << read.status().message();
+    for (int y = 0; y < kHeight; ++y) {
+        const int row = camera.mirrored ? kHeight - 1 - y : y;
+        for (int x = 0; x < kWidth; ++x) {
+            result.read.pixels[static_cast<std::size_t>(y * kWidth + x)] =
+                read->visibility[static_cast<std::size_t>(row * kWidth + x)];
+        }
+    }
+    result.shown = resolvedColours(camera, kind, target);
+    gl_.UseProgram(0); // it goes with this host
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
+    return result;
+}
+
 double MeasuredHost::error(const CameraKind& camera, const FramebufferKind& kind) {
     const Target target = make(kind);
     HostTextures given{.size = glm::ivec2(kWidth, kHeight) + 2 * kind.origin};
@@ -211,19 +284,7 @@ double MeasuredHost::error(const CameraKind& camera, const FramebufferKind& kind
     gl_.GetIntegerv(GL_SAMPLES, &samples);
     const FloatImage wanted = expected(camera, samples);
     const FloatImage seen = inner(wanted);
-    std::optional<gl::RenderToTexture2D> resolved;
-    if (kind.samples > 0) {
-        resolved.emplace(std::move(
-            *gl::RenderToTexture2D::create(gl_, {.width = kWidth,
-                                                 .height = kHeight,
-                                                 .targets = {gl::RenderToTexture2D::Format::RGBA8},
-                                                 .label = "resolved"})));
-        gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, target.framebuffer.name());
-        gl_.BlitFramebuffer(0, 0, kWidth, kHeight, 0, 0, kWidth, kHeight, GL_COLOR_BUFFER_BIT,
-                            GL_NEAREST);
-        resolved->beginRead(0);
-    }
-    const FloatImage shown = colours(camera, kind);
+    const FloatImage shown = resolvedColours(camera, kind, target);
     const double found = rmse(shown, seen);
     int darkSky = 0;
     for (std::size_t i = kWidth; i + kWidth < shown.pixels.size(); ++i) {

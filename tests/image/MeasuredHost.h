@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include <aolib/aolib.h>
 
@@ -22,15 +23,39 @@ public:
     MeasuredHost(const gl::Functions& gl, ProcAddressLoader loader, const Model& model,
                  TracedKinds& truth, View view = View::Moving);
 
+    /// With options of one's own, for pictures at rest.
+    MeasuredHost(const gl::Functions& gl, ProcAddressLoader loader, const Model& model,
+                 TracedKinds& truth, const Options& options);
+
+    AmbientOcclusion& ao() { return *ao_; }
+
+    /// W as the host's colours tell it, the same as readVisibility() tells it, and the truth of
+    /// each of a pixel's samples, background -1.
+    struct Samples {
+        FloatImage shown;
+        FloatImage read;
+        std::vector<FloatImage> truth;
+    };
+    /// Draws frames until nothing is left to compute.
+    Samples samples(const CameraKind& camera, const FramebufferKind& kind);
+
     /// RMSE of W, as the host's colours tell it.
     double error(const CameraKind& camera, const FramebufferKind& kind);
 
 private:
     struct Target;
 
+    MeasuredHost(const gl::Functions& gl, ProcAddressLoader loader, const Model& model,
+                 TracedKinds& truth, View view, const Options& options);
+
     Target make(const FramebufferKind& kind) const;
     void frame(const CameraKind& camera, const FramebufferKind& kind, const HostTextures& textures);
     FloatImage expected(const CameraKind& camera, int samples);
+    /// The truth of each sample of the framebuffer that is bound.
+    std::vector<FloatImage> sampleTruth(const CameraKind& camera, int samples);
+    /// The host's colours, their samples resolved.
+    FloatImage resolvedColours(const CameraKind& camera, const FramebufferKind& kind,
+                               const Target& target) const;
     FloatImage colours(const CameraKind& camera, const FramebufferKind& kind) const;
 
     const gl::Functions& gl_;

@@ -102,6 +102,8 @@ private:
     }
     /// Whether what no cube map knows is shaded by what is in sight.
     bool fallsBack() const;
+    /// Whether W goes into a texture before it is blended.
+    bool tells() const { return fallsBack() || seen().host.samples() != nullptr; }
 
     SceneGeometry sceneGeometry_;
     CubeMaps cubeMaps_;

@@ -152,7 +152,7 @@ void BackboneCubemapped::repair(const Frame& frame) {
         of.repairStatus = of.repair.advance(resting, budget);
     }
     const bool before = std::exchange(of.isConverged, of.texelsComplete && of.repair.done());
-    if (of.isConverged && !fallsBack()) {
+    if (of.isConverged && !tells()) {
         of.pictures.told = {};
     }
     of.convergedIn = of.isConverged && !before ? frames_ + 1 : of.convergedIn;
@@ -195,17 +195,20 @@ bool BackboneCubemapped::fallsBack() const {
 
 AoStatus BackboneCubemapped::shadeDirectly(const Frame& frame) {
     CubemappedView& of = seen();
-    if (!fallsBack()) {
+    if (!tells()) {
         return of.projected.empty() ? AoStatus()
                                     : projection_->shade(context_, frame, of.host, kept(),
                                                          of.projected, of.pictures);
     }
     const auto told =
         projection_->tell(context_, frame, of.host, kept(), of.projected, of.pictures);
-    if (told) {
-        fallback_->shade(context_, frame, of.host, **told, radius());
+    if (!told) {
+        return told.status();
     }
-    return told.status();
+    if (fallsBack()) {
+        fallback_->fillTold(context_, frame, of.host, **told, radius());
+    }
+    return composite_.blend(context_, frame, of.host, **told);
 }
 
 void BackboneCubemapped::fillIn(const Frame& frame, const gl::RenderToTexture2D& projected,

@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "backbone/Composite.h"
 #include "backbone/ShaderLibrary.h"
 #include "gl/Label.h"
 
@@ -35,13 +34,8 @@ Result<Fallback> Fallback::create(const BackboneContext& context) {
     if (!visibility) {
         return visibility.status();
     }
-    auto blend = buildShader(context.gl, "fullscreen.vert", "frame/composite.frag");
-    if (!blend) {
-        return blend.status();
-    }
     Fallback fallback;
     fallback.visibility_ = std::move(*visibility);
-    fallback.blend_ = std::move(*blend);
     return fallback;
 }
 
@@ -59,10 +53,11 @@ void Fallback::bind(const BackboneContext& context, const Frame& frame, const Ho
     visibility_.set("uSteps", kSteps);
 }
 
-void Fallback::shade(const BackboneContext& context, const Frame& frame,
-                     const HostFramebuffer& host, const gl::RenderToTexture2D& told, float radius) {
+void Fallback::fillTold(const BackboneContext& context, const Frame& frame,
+                        const HostFramebuffer& host, const gl::RenderToTexture2D& told,
+                        float radius) {
     const gl::Functions& gl = context.gl;
-    const gl::DebugGroup group(gl, "aolib: shade what no cube map knows, and blend");
+    const gl::DebugGroup group(gl, "aolib: shade what no cube map knows");
     bind(context, frame, host, radius);
     visibility_.set("uTold", kDepthUnit); // not read
     visibility_.set("uByTold", 0);
@@ -70,14 +65,6 @@ void Fallback::shade(const BackboneContext& context, const Frame& frame,
     gl.Enable(GL_DEPTH_TEST); // known pixels fail it: a software rasteriser, too, spares them all
     context.generated.drawFullscreen();
     gl.Disable(GL_DEPTH_TEST);
-    blend_.bind();
-    told.bindTexture(0, kToldUnit);
-    blend_.set("uVisibility", kToldUnit);
-    blend_.set("uOrigin", frame.origin);
-    blend_.set("uContrast", context.options.contrast);
-    beginHostColours(context, frame);
-    blendIntoHost(context);
-    endHostColours(context);
 }
 
 void Fallback::fill(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,

@@ -17,13 +17,12 @@ public:
     /// @param atOnce  cube maps are computed at once, however long that takes
     static bool due(const BackboneContext& context, float shaded, bool atOnce);
 
-    /// Darkens the host's picture by what the cube maps tell, and by what is in sight where that is
-    /// nothing.
-    /// @param told    as Projection::tell() gives it; filled in
+    /// Writes W of what no cube map knows.
+    /// @param told    as Projection::tell() gives it
     /// @param radius  world units
-    void shade(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,
-               const gl::RenderToTexture2D& told, float radius);
-    /// Writes W of such pixels into a target as Blur::apply() leaves it, as unshaded as they are.
+    void fillTold(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,
+                  const gl::RenderToTexture2D& told, float radius);
+    /// The same into a target as Blur::apply() leaves it, as unshaded as they are.
     /// @param projected  as Projection::apply() gives it
     void fill(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,
               const gl::RenderToTexture2D& projected, float radius,
@@ -34,7 +33,6 @@ private:
               float radius);
 
     gl::GLSLShader visibility_;
-    gl::GLSLShader blend_;
 };
 
 } // namespace aolib

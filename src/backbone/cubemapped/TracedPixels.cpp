@@ -24,6 +24,12 @@ constexpr double kReach = 0.25;
 /// texels about a point are.
 constexpr int kRaysPerTexelRay = 4;
 
+/// Channels of what doubt.frag writes, without and with samples.
+constexpr std::size_t kDepthAlone = 1;
+constexpr std::size_t kDepthAndSeen = 4;
+constexpr int kDoubtEdgesUnit = 6;
+constexpr float kPixelCentre = 0.5F; ///< of a pixel
+
 } // namespace
 
 Result<gl::GLSLShader> TracedPixels::createShader(const BackboneContext& context) {
@@ -90,15 +96,42 @@ AoStatus TracedPixels::trace(const RestingView& view, FoundPixels& found, double
     return {};
 }
 
+Result<gl::GLSLShader*> TracedPixels::shaderFor(const RestingView& view) {
+    const HostSamples* samples = view.host.samples();
+    if (samples == nullptr) {
+        return &shader_;
+    }
+    if (!sampled_) {
+        auto shader = buildShader(view.context.gl, "fullscreen.vert", "cubemap/doubt.frag",
+                                  {"AO_BLOCKS", "AO_SAMPLES"});
+        if (!shader) {
+            return shader.status();
+        }
+        sampled_ = std::move(*shader);
+    }
+    sampled_->bind();
+    samples->setUniforms(*sampled_);
+    samples->bindEdges(kDoubtEdgesUnit);
+    sampled_->set("uEdges", kDoubtEdgesUnit);
+    return &*sampled_;
+}
+
 AoStatus TracedPixels::ask(const RestingView& view) {
     const gl::Functions& gl = view.context.gl;
     const glm::ivec2& size = view.frame.size;
     const gl::DebugGroup group(gl, "aolib: doubtful pixels");
-    auto doubt =
-        gl::RenderToTexture2D::create(gl, {.width = size.x,
-                                           .height = size.y,
-                                           .targets = {gl::RenderToTexture2D::Format::R32F},
-                                           .label = "aolib/repair/doubt"});
+    using Format = gl::RenderToTexture2D::Format;
+    const HostSamples* samples = view.host.samples();
+    channels_ = samples == nullptr ? kDepthAlone : kDepthAndSeen;
+    const auto shader = shaderFor(view);
+    if (!shader) {
+        return shader.status();
+    }
+    auto doubt = gl::RenderToTexture2D::create(
+        gl, {.width = size.x,
+             .height = size.y,
+             .targets = {samples == nullptr ? Format::R32F : Format::RGBA32F},
+             .label = "aolib/repair/doubt"});
     if (!doubt) {
         return doubt.status();
     }
@@ -109,10 +142,15 @@ AoStatus TracedPixels::ask(const RestingView& view) {
     doubt_ = std::move(*doubt);
     readback_ = std::move(*readback);
     doubt_.begin(0);
-    Projection::bind(shader_, view.frame, view.host, view.kept, view.projectors);
-    view.context.generated.drawFullscreen();
+    Projection::bind(**shader, view.frame, view.host, view.kept, view.projectors);
+    if (samples == nullptr) {
+        view.context.generated.drawFullscreen();
+    } else {
+        const gl::MultisampleBinding binding = samples->bindSamples(gl);
+        view.context.generated.drawFullscreen();
+    }
     doubt_.beginRead(0);
-    readback_.start(size.x, size.y, GL_RED, GL_FLOAT);
+    readback_.start(size.x, size.y, samples == nullptr ? GL_RED : GL_RGBA, GL_FLOAT);
     phase_ = Phase::Asked;
     return {};
 }
@@ -125,8 +163,9 @@ Bounds TracedPixels::surfacesOf(const std::vector<Pixel>& pixels, const Frame& f
     Bounds bounds;
     float footprint = 0.0F;
     for (const Pixel& pixel : pixels) {
-        const HostCamera::Surface surface = frame.camera.surfaceAt(
-            pixel.at, static_cast<double>(pixel.depth), frame.size, frame.clip);
+        const HostCamera::Surface surface =
+            frame.camera.surfaceAt(pixel.at, static_cast<double>(pixel.seen.z), frame.size,
+                                   frame.clip, glm::dvec2(pixel.seen));
         bounds.include(glm::vec3(frame.camera.eye() + surface.position));
         footprint = std::max(footprint, static_cast<float>(surface.footprint));
     }
@@ -147,11 +186,14 @@ void TracedPixels::plan(const Frame& frame, std::span<const std::uint8_t> depths
                 const glm::ivec2 at(x + block % kBlocks * kBlock + inBlock % kBlock,
                                     y + block / kBlocks * kBlock + inBlock / kBlock);
                 if (at.x < size.x && at.y < size.y) {
-                    const float depth =
-                        rows[static_cast<std::size_t>(at.y) * static_cast<std::size_t>(size.x) +
-                             static_cast<std::size_t>(at.x)];
-                    if (depth >= 0.0F) {
-                        tile.push_back({at, depth});
+                    const float* doubt = &rows[channels_ * (static_cast<std::size_t>(at.y) *
+                                                                static_cast<std::size_t>(size.x) +
+                                                            static_cast<std::size_t>(at.x))];
+                    if (doubt[0] >= 0.0F) {
+                        tile.push_back({at, doubt[0],
+                                        channels_ == kDepthAlone
+                                            ? glm::vec3(kPixelCentre, kPixelCentre, doubt[0])
+                                            : glm::vec3(doubt[1], doubt[2], doubt[3])});
                     }
                 }
             }
@@ -188,8 +230,9 @@ std::vector<TexelRequest> TracedPixels::requests(const RestingView& view) const 
                              .falloff = options.falloff,
                              .sights = {}};
         for (const Pixel& pixel : pixels) {
-            const HostCamera::Surface surface = camera.surfaceAt(
-                pixel.at, static_cast<double>(pixel.depth), view.frame.size, view.frame.clip);
+            const HostCamera::Surface surface =
+                camera.surfaceAt(pixel.at, static_cast<double>(pixel.seen.z), view.frame.size,
+                                 view.frame.clip, glm::dvec2(pixel.seen));
             const glm::dvec3 reach =
                 (2.0 * surface.resolution + kReach * surface.footprint) * surface.viewer;
             request.sights.push_back({glm::vec3(rest + surface.position + reach),

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -37,7 +38,9 @@ private:
     enum class Phase : std::uint8_t { Waiting, Asked, Tracing, Done };
     struct Pixel {
         glm::ivec2 at; ///< in the frame
-        float depth;   ///< as the host's depth buffer has it
+        float depth;   ///< as HostFramebuffer has it
+        /// Where its surface is seen: x and y in the pixel, 0 to 1, and the host's depth there.
+        glm::vec3 seen;
     };
 
     /// Draws where the cube maps leave a doubt, and starts reading it back.
@@ -45,6 +48,8 @@ private:
     static Bounds surfacesOf(const std::vector<Pixel>& pixels, const Frame& frame);
     /// Sorts the doubtful pixels into tiles.
     void plan(const Frame& frame, std::span<const std::uint8_t> depths);
+    /// The shader for a host with samples, or for one without. Errors: ShaderError.
+    Result<gl::GLSLShader*> shaderFor(const RestingView& view);
     /// Traces them.
     AoStatus trace(const RestingView& view, FoundPixels& found, double milliseconds);
     std::vector<TexelRequest> requests(const RestingView& view) const;
@@ -53,9 +58,11 @@ private:
     TracerQueue& queue_;
     const TracerQueue::Asker asker_;
     gl::GLSLShader& shader_;
+    std::optional<gl::GLSLShader> sampled_; ///< of hosts with samples; built for the first
     Phase phase_ = Phase::Waiting;
     std::uint32_t generation_;    ///< results of another are out of date
     gl::RenderToTexture2D doubt_; ///< while it is read back
+    std::size_t channels_ = 1;    ///< of doubt_
     gl::PixelReadback readback_;
     std::vector<std::vector<Pixel>> tiles_; ///< doubtful pixels; empty once they are traced
     std::vector<Bounds> surfaces_;          ///< that the pixels of each tile show, world units

@@ -17,7 +17,7 @@ inline constexpr GLenum kMapColor = 0x0D10;
 inline constexpr GLenum kMapStencil = 0x0D11;
 
 // What is switched off, by the parts of StateTrust. Offsets of lines and points say nothing to
-// polygons that are filled.
+// polygons that are filled, but decide the last bit of where a software rasteriser puts them.
 inline constexpr std::array kDepthToggles{
     GLenum{GL_DEPTH_TEST},
     GLenum{GL_STENCIL_TEST},
@@ -30,6 +30,7 @@ inline constexpr std::array kBlendToggles{
 };
 inline constexpr std::array kRasterToggles{
     GLenum{GL_CULL_FACE},           GLenum{GL_POLYGON_OFFSET_FILL},
+    GLenum{GL_POLYGON_OFFSET_LINE}, GLenum{GL_POLYGON_OFFSET_POINT},
     GLenum{GL_POLYGON_SMOOTH},      GLenum{GL_LINE_SMOOTH},
     GLenum{GL_SAMPLE_ALPHA_TO_ONE}, GLenum{GL_SAMPLE_ALPHA_TO_COVERAGE},
     GLenum{GL_SAMPLE_COVERAGE},     GLenum{GL_SAMPLE_MASK},

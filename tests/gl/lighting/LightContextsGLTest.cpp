@@ -1,11 +1,12 @@
 // An EnvironmentLight that ends in another context than that which it was created in.
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include <aolib/lighting/EnvironmentLight.h>
 
 #include "GLTest.h"
 #include "TwinContext.h"
-#include "content/generated/Environments.h"
 
 namespace aolib::lighting {
 namespace {
@@ -14,8 +15,10 @@ class LightContextsGLTest : public ContextTest {
 protected:
     void SetUp() override { open({ContextRequest::Api::Egl, ContextRequest::Profile::Core}); }
     EnvironmentLight make() const {
+        const EnvironmentMap white{
+            .width = 8, .height = 4, .radiance = std::vector<glm::vec3>(32, glm::vec3(1.0F))};
         return std::move(*EnvironmentLight::create(
-            loader, smallStudio(), {.cones = {.columns = 16, .rows = 9, .apertures = 3}}));
+            loader, white, {.cones = {.columns = 16, .rows = 9, .apertures = 3}}));
     }
     bool exists(TextureName name) const {
         return gl.IsTexture(static_cast<GLuint>(name)) == GL_TRUE;

@@ -111,6 +111,8 @@ const std::vector<Part>& parts() {
          {"GL_CULL_FACE",
           "GL_FRONT_FACE",
           "GL_POLYGON_OFFSET_FILL",
+          "GL_POLYGON_OFFSET_LINE",
+          "GL_POLYGON_OFFSET_POINT",
           "GL_POLYGON_SMOOTH",
           "GL_POLYGON_MODE",
           "GL_LINE_SMOOTH",

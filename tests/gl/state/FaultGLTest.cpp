@@ -27,6 +27,20 @@ protected:
                      (void)ao.moveMesh(box, glm::translate(glm::mat4(1), {-1, 0, 1}));
                      return frame(ao);
                  }},
+                {"frame of another view",
+                 [](AmbientOcclusion& ao) {
+                     (void)ao.aoDrawBegin();
+                     return ao.aoDrawEnd(Guest::eye().x, Guest::eye().y, Guest::eye().z, ViewId{5});
+                 }},
+                {"removeView, aoShade",
+                 [](AmbientOcclusion& ao) {
+                     (void)ao.removeView(ViewId{5});
+                     return ao.aoShade(Guest::view(), Guest::projection());
+                 }},
+                {"prepare",
+                 [](AmbientOcclusion& ao) {
+                     return ao.prepare({}, std::array{glm::vec3(0.5F, 3, 2)});
+                 }},
                 {"frame of other size",
                  [this](AmbientOcclusion& ao) {
                      viewport(20, 12);

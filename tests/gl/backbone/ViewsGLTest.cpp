@@ -180,7 +180,7 @@ TEST_P(ViewsGLTest, TexelsThatAreLongerThanTheReachOfOccludersKnowNothing) {
     ASSERT_TRUE(host.ao().addCubeMap({30, 1, 0}).ok()); // along the floor
     look(host, kAbove);
     ASSERT_GT(converge(host), 0);
-    EXPECT_LT(host.ao().statistics().coverage, 0.1F);
+    EXPECT_LT(host.ao().statistics().coverage, 0.5F);
 }
 
 INSTANTIATE_TEST_SUITE_P(One, ViewsGLTest, testing::Values(testContexts().front()), nameOf);

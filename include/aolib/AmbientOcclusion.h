@@ -136,7 +136,8 @@ public:
     ///                   Where such a one stands already there is no other.
     /// Errors: InvalidCallOrder (within a frame, or the backbone keeps no cube maps), Cancelled
     /// (the callback said so: what was computed stays, the rest is left to frames), CallbackFailed,
-    /// and those of addCubeMap(), after which the positions have none. Context. Since 0.1.
+    /// and those of addCubeMap(); a failure on the way leaves what was computed, too. Context.
+    /// Since 0.1.
     AoStatus prepare(const ProgressCallback& callback, std::span<const glm::vec3> positions = {});
     /// Errors: UnknownCubeMap. Context.
     AoStatus removeCubeMap(CubeMapId id);

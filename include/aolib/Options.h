@@ -79,7 +79,8 @@ struct RayTracedOptions {
 struct CubeMapOptions {
     int faceSize = 512;    ///< texels along a face's edge, 16 to 4096
     int nearest = 10;      ///< cube maps projected per frame, nearest to the camera, 1 to 64
-    bool place = true;     ///< place new cube maps at the camera where coverage falls short
+    bool place = true;     ///< place new cube maps at the camera where coverage falls short (an
+                           ///< orthographic one: before what it sees)
     float coverage = 0.9F; ///< share of shaded pixels below which one is placed, 0 to 1
     ProjectionMethod projection = ProjectionMethod::SinglePass;
     /// MiB that cube maps may keep on the GPU, room for one at least; 0 = no limit. Those placed by

@@ -147,7 +147,13 @@ Result<CubeMapImage> AbstractBackbone::readCubeMap(CubeMapId /*id*/) {
 }
 
 Result<VisibilityImage> AbstractBackbone::readVisibility() {
-    return readVisibility(views_.current());
+    ViewState* of = views_.current();
+    if (of != nullptr && !of->latest) { // its first frame failed: another's was the latest
+        for (const auto& one : views_.all()) {
+            of = one->latest && (!of->latest || one->drawn > of->drawn) ? one.get() : of;
+        }
+    }
+    return readVisibility(of);
 }
 
 Result<VisibilityImage> AbstractBackbone::readVisibility(ViewId id) {

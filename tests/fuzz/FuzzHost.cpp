@@ -107,8 +107,10 @@ void FuzzHost::drawDepth() const {
 void FuzzHost::frame() {
     drawDepth();
     note(ao_->aoDrawBegin());
-    note(ao_->aoDrawEnd(eye_.x, eye_.y, eye_.z));
-    const Statistics s = ao_->statistics();
+    const ViewId view{static_cast<std::uint32_t>(one(3) ? below(3) : 0)};
+    note(ao_->aoDrawEnd(eye_.x, eye_.y, eye_.z, view));
+    const Statistics s = ao_->statistics(view);
+    require(s.computed >= 0.0F && s.computed <= 1.0F, "shares lie in their range");
     const glm::ivec2 size = kFuzzSizes.at(framebuffer_);
     require(s.pixelsRepaired <= static_cast<std::size_t>(size.x * size.y),
             "pixels are of the view");
@@ -128,6 +130,24 @@ void FuzzHost::rest() {
     require(ao_->options().frameBudget > 0.0F || ao_->statistics().converged,
             "a view at rest comes to an end");
     readVisibility();
+}
+
+void FuzzHost::changeViews() {
+    const ViewId view{static_cast<std::uint32_t>(below(3))};
+    note(ao_->readVisibility(view).status());
+    note(ao_->removeView(view));
+    require(!ao_->statistics(view).converged, "a view that is gone has nothing to show");
+}
+
+void FuzzHost::prepare() {
+    float before = 0.0F;
+    std::size_t calls = 1 + below(8);
+    const auto callback = [&](float progress) {
+        require(progress >= before && progress <= 1.0F, "progress only grows");
+        before = progress;
+        return --calls > 0;
+    };
+    note(ao_->prepare(callback, std::array{vector()}));
 }
 
 void FuzzHost::readVisibility() {
@@ -167,7 +187,7 @@ void FuzzHost::setRenderer() {
 }
 
 void FuzzHost::call() {
-    switch (below(14)) {
+    switch (below(16)) {
     case 0:
         setOptions();
         break;
@@ -205,6 +225,12 @@ void FuzzHost::call() {
         break;
     case 11:
         one(2) ? note(ao_->clear()) : note(ao_->aoDrawBegin());
+        break;
+    case 12:
+        changeViews();
+        break;
+    case 13:
+        prepare();
         break;
     default:
         rest();

@@ -81,6 +81,8 @@ private:
     void drawDepth() const;
     void frame();
     void rest();
+    void changeViews();
+    void prepare();
     void readVisibility();
     void readCubeMap();
     void setTracer() { ao_->setTexelTracer(one(2) ? nullptr : std::move(*createTexelTracer(1))); }

@@ -161,6 +161,28 @@ TEST_P(ViewsGLTest, SaysWhatAFrameWithoutGeometryLacks) {
     EXPECT_EQ(host.ao().statistics(kAbove).geometryShare, 0.0F);
 }
 
+TEST_P(ViewsGLTest, WhereAnOrthographicEyeStandsDoesNotMatter) {
+    Options o = viewOptions(Estimator::RayTraced);
+    o.cubeMaps.repair = false;
+    std::vector<Picture> pictures;
+    for (const float height : {2.0F, 30.0F, 600.0F}) {
+        SmallHost host = hostWith(o);
+        host.lookAcross({0.2F, height, 0}, {0.2F, height - 1, 0}, {0, 0, -1}, 3.0F);
+        ASSERT_GT(converge(host), 0);
+        EXPECT_GT(host.ao().statistics().coverage, 0.9F);
+        pictures.push_back(host.visibility().visibility);
+        EXPECT_LT(rmse(pictures.back(), pictures.front()), 0.005) << height;
+    }
+}
+
+TEST_P(ViewsGLTest, TexelsThatAreLongerThanTheReachOfOccludersKnowNothing) {
+    SmallHost host = hostWith(options(Estimator::LayeredIntervals));
+    ASSERT_TRUE(host.ao().addCubeMap({30, 1, 0}).ok()); // along the floor
+    look(host, kAbove);
+    ASSERT_GT(converge(host), 0);
+    EXPECT_LT(host.ao().statistics().coverage, 0.5F);
+}
+
 INSTANTIATE_TEST_SUITE_P(One, ViewsGLTest, testing::Values(testContexts().front()), nameOf);
 
 } // namespace

@@ -27,6 +27,21 @@ TEST_P(FrameGLTest, DarkensWhereSurfacesMeet) {
     EXPECT_LT(host.visibilityAt({1.1F, 0, 0}), host.visibilityAt({1.6F, 0, 0}));
 }
 
+TEST_P(FrameGLTest, ShadesInOneCallWhatThreeDo) {
+    SmallHost host(gl, loader, boxOnFloor(), frameOptions());
+    host.lookAt({4, 4, 6}, {0, 0.5F, 0});
+    ASSERT_TRUE(host.frame().ok());
+    const std::vector<std::uint8_t> three = host.framebuffer().readColour()->pixels;
+    host.framebuffer().bind();
+    host.renderer().draw(host.view(), host.projection());
+    ASSERT_TRUE(host.ao().aoShade(host.view(), host.projection(), ViewId{3}).ok());
+    EXPECT_EQ(host.framebuffer().readColour()->pixels, three);
+    EXPECT_EQ(host.ao().statistics(ViewId{3}).cubeMapsProjected, 1);
+    ASSERT_TRUE(host.ao().aoDrawBegin().ok());
+    EXPECT_EQ(host.ao().aoShade(host.view(), host.projection()).code(),
+              StatusCode::InvalidCallOrder);
+}
+
 TEST_P(FrameGLTest, BlendsByTheFormulaOfTheThesis) {
     SmallHost host(gl, loader, boxOnFloor(), frameOptions());
     host.lookAt({4, 4, 6}, {0, 0.5F, 0});

@@ -239,6 +239,44 @@ struct GuestCalls {
         expect(guest.hadFrame_ ? StatusCode::Ok : StatusCode::InvalidCallOrder, image);
         expect(StatusCode::InvalidCallOrder, empty().readVisibility());
     }
+    /// Frames of views of their own, one of which goes.
+    void views() {
+        const ViewId id{static_cast<std::uint32_t>(dice.between(1, 3))};
+        const glm::vec3& eye = Guest::eye();
+        expect(StatusCode::Ok, ao().aoDrawBegin());
+        const AoStatus status = ao().aoDrawEnd(eye.x, eye.y, eye.z, id);
+        expect(situation.frame, status);
+        const bool told = ao().readVisibility(id).ok();
+        if (status && !told) {
+            fault.append("a view's frame cannot be read; ");
+        }
+        (void)ao().statistics(id);
+        expect(StatusCode::InvalidCallOrder, ao().readVisibility(ViewId{99}));
+        expect(StatusCode::Ok,
+               ao().removeView(ViewId{static_cast<std::uint32_t>(dice.between(1, 3))}));
+        frame();
+    }
+    void shade() {
+        const AoStatus status = ao().aoShade(Guest::view(), Guest::projection());
+        expect(situation.frame, status);
+        guest.hadFrame_ = guest.hadFrame_ || status.ok();
+        glm::mat4 broken(1.0F);
+        broken[0][0] = kNaN;
+        expect(StatusCode::InvalidCamera, ao().aoShade(broken, broken));
+    }
+    void prepare() {
+        expect(StatusCode::InvalidPosition, ao().prepare({}, std::array{glm::vec3(0, kNaN, 0)}));
+        expect(StatusCode::NoScene, empty().prepare({}));
+        const bool stops = dice.chance(0.3);
+        const auto callback = [&](float /*progress*/) { return !stops; };
+        if (ao().cubeMaps().size() >= kMaxCubeMaps ||
+            ao().options().cubeMaps.memoryBudget == kTightBudget) {
+            expect(stops ? StatusCode::Cancelled : StatusCode::Ok, ao().prepare(callback));
+            return;
+        }
+        expect(stops ? StatusCode::Cancelled : StatusCode::Ok,
+               ao().prepare(callback, std::array{somewhere()}));
+    }
     void readCubeMap() {
         const bool known = !ao().cubeMaps().empty();
         expect(known ? StatusCode::Ok : StatusCode::UnknownCubeMap,
@@ -332,6 +370,9 @@ constexpr std::array kCalls{
     NamedCall{"aoApply, refused", &GuestCalls::applyRefused, 20},
     NamedCall{"setSceneRenderer, aoSceneChanged", &GuestCalls::sceneRenderer, 30},
     NamedCall{"readVisibility", &GuestCalls::readVisibility, 30},
+    NamedCall{"views", &GuestCalls::views, 20},
+    NamedCall{"aoShade", &GuestCalls::shade, 20},
+    NamedCall{"prepare", &GuestCalls::prepare, 10},
     NamedCall{"readCubeMap", &GuestCalls::readCubeMap, 30},
     NamedCall{"statistics, cubeMaps", &GuestCalls::look, 30},
     NamedCall{"meshBegin ... meshEnd", &GuestCalls::describeMesh, 20},

@@ -1,6 +1,7 @@
 // No GL object outlives an instance that could not be made; StateGLTest has those that lived.
 #include "AliveNames.h"
 #include "FaultyLoader.h"
+#include "Guest.h"
 #include "HostTest.h"
 
 namespace aolib {

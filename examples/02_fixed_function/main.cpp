@@ -8,6 +8,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "Boxes.h"
+#include "Offscreen.h"
 #include "Stage.h"
 
 // [aolib]

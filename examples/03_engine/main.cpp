@@ -5,6 +5,7 @@
 #include <exception>
 
 #include "Engine.h"
+#include "Offscreen.h"
 #include "Stage.h"
 
 // [aolib]

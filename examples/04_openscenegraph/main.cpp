@@ -11,6 +11,7 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
+#include "Offscreen.h"
 #include "Stage.h"
 
 // [aolib]

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "LitHost.h"
+#include "Offscreen.h"
 #include "Stage.h"
 
 // [aolib]

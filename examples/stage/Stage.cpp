@@ -1,6 +1,5 @@
 #include "Stage.h"
 
-#include <cstdlib>
 #include <fstream>
 #include <iostream>
 
@@ -31,19 +30,6 @@ Arguments parse(int argc, char** argv) {
         std::cerr << "Usage: " << argv[0] << " [--without | --neutral] PICTURE.ppm\n";
     }
     return arguments;
-}
-
-std::unique_ptr<aolib::GlContext> openContext(aolib::ContextRequest::Profile profile) {
-    aolib::ContextRequest request;
-    request.profile = profile;
-    request.defaultFramebuffer = true;
-    request.width = kWidth;
-    request.height = kHeight;
-    auto context = aolib::createOffscreenContext(request);
-    if (!context) {
-        std::exit(fail(context.status().message()));
-    }
-    return std::move(*context);
 }
 
 int save(const std::string& path, const std::vector<std::uint8_t>& rgb) {

@@ -1,16 +1,13 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
-#include "platform/GlContext.h"
-
-/// What the examples without a window stand on: a size, a camera, an offscreen context, a file.
+/// What the examples without a window share: a size, a camera, arguments, a file.
 namespace stage {
 
 inline constexpr int kWidth = 480;  ///< pixels
@@ -31,10 +28,6 @@ struct Arguments {
     std::string picture;          ///< empty: the arguments were wrong, and the usage was printed
 };
 Arguments parse(int argc, char** argv);
-
-/// A context of aolib's own tools, current, with a framebuffer 0 of this size; a host has its own.
-/// Exits the program where there is none.
-std::unique_ptr<aolib::GlContext> openContext(aolib::ContextRequest::Profile profile);
 
 /// Writes RGB bytes, the bottom row first, as a PPM file. @return the program's exit status.
 int save(const std::string& path, const std::vector<std::uint8_t>& rgb);

@@ -52,7 +52,7 @@ inline constexpr std::array kDebugViewChoices{
 ///   (name, enum&, array of choices, help) for enumerations.
 template <typename OptionsType, typename Visitor>
 void visitOptions(OptionsType& o, Visitor&& visit) {
-    constexpr double kMaxFloat = std::numeric_limits<float>::max();
+    constexpr double kMaxFloat = (std::numeric_limits<float>::max)(); // windows.h has a macro max
     visit("backbone", o.backbone, kBackboneChoices, "strategy that computes the occlusion");
     visit("estimator", o.estimator, kEstimatorChoices, "how visibility is estimated");
     visit("radius", o.radius, OptionRange{0.0, kMaxFloat},

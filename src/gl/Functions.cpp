@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <set>
@@ -13,9 +14,18 @@ namespace {
 
 constexpr int kLeastVersion = 33; // major * 10 + minor
 
+/// wglGetProcAddress returns null, 1, 2, 3 or -1 for a function that the driver does not have.
+bool isAddress(const void* address) {
+    const auto value = reinterpret_cast<std::intptr_t>(address);
+    return value < -1 || value > 3;
+}
+
 template <typename Function>
 void loadFunction(const ProcAddressLoader& loader, const char* name, Function& function) {
     void* address = loader(name);
+    if (!isAddress(address)) {
+        return;
+    }
     static_assert(sizeof(address) == sizeof(function));
     std::memcpy(&function, &address, sizeof(function));
 }
@@ -95,6 +105,16 @@ Functions::Capabilities capabilitiesOf(const Functions& gl, int version) {
     return can;
 }
 
+/// @param missing  names of required functions, with a space before each.
+AoStatus missingFunctions(const std::string& missing, bool oldestMissing) {
+    std::string reason = "the loader does not know" + missing;
+    if (oldestMissing) {
+        reason += "; if it is wglGetProcAddress alone: functions of OpenGL 1.1 come from "
+                  "opengl32.dll, by GetProcAddress";
+    }
+    return {StatusCode::MissingCapability, reason};
+}
+
 } // namespace
 
 Result<Functions> Functions::load(const ProcAddressLoader& loader) {
@@ -103,8 +123,10 @@ Result<Functions> Functions::load(const ProcAddressLoader& loader) {
     }
     Functions gl;
     std::string missing;
+    bool known = false;
 #define AOLIB_GL_LOAD_REQUIRED(type, name)                                                         \
     loadFunction(loader, "gl" #name, gl.name);                                                     \
+    known = known || gl.name != nullptr;                                                           \
     if (gl.name == nullptr) {                                                                      \
         missing += " gl" #name;                                                                    \
     }
@@ -113,13 +135,20 @@ Result<Functions> Functions::load(const ProcAddressLoader& loader) {
 #define AOLIB_GL_LOAD(type, name) loadFunction(loader, "gl" #name, gl.name);
     AOLIB_GL_OPTIONAL(AOLIB_GL_LOAD)
 #undef AOLIB_GL_LOAD
-    if (gl.GetString == nullptr || gl.GetIntegerv == nullptr ||
-        gl.GetString(GL_VERSION) == nullptr) {
+    if (!known) {
+        return AoStatus(StatusCode::NoContext,
+                        "the loader knows no function of OpenGL: some know none while no context "
+                        "is current");
+    }
+    if (gl.GetString == nullptr || gl.GetIntegerv == nullptr) {
+        return missingFunctions(missing, true);
+    }
+    if (gl.GetString(GL_VERSION) == nullptr) {
         return AoStatus(StatusCode::NoContext,
                         "no OpenGL context is current, or the loader does not belong to it");
     }
     if (versionOf(gl) >= kLeastVersion && !missing.empty()) {
-        return AoStatus(StatusCode::MissingCapability, "the loader does not know" + missing);
+        return missingFunctions(missing, false);
     }
     if (AoStatus status = gl.readCapabilities(); !status) {
         return status;

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include <GL/glcorearb.h>
+#include "gl/CoreTypes.h"
 
 #include <aolib/ProcAddressLoader.h>
 #include <aolib/StateTrust.h>

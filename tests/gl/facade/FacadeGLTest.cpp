@@ -1,5 +1,9 @@
 // Every misuse of the facade has its code, and harms nothing that was there.
+#include <algorithm>
+#include <array>
+#include <cstdint>
 #include <limits>
+#include <string_view>
 
 #include <aolib/RayTracing.h>
 
@@ -40,6 +44,42 @@ TEST_P(FacadeGLTest, CreateRefusesWhatCannotWork) {
     const AoStatus missing = AmbientOcclusion::create(holed).status();
     EXPECT_EQ(missing.code(), StatusCode::MissingCapability);
     EXPECT_NE(missing.message().find("glDrawArrays"), std::string::npos);
+}
+
+/// The functions that opengl32.dll exports and wglGetProcAddress therefore does not know.
+bool isOfGl11(std::string_view name) {
+    constexpr std::array<std::string_view, 12> kSome{
+        "glGetString",    "glGetIntegerv",    "glGetFloatv", "glDrawArrays",
+        "glDrawElements", "glEnable",         "glDisable",   "glViewport",
+        "glBindTexture",  "glDeleteTextures", "glDepthFunc", "glDepthMask"};
+    return std::find(kSome.begin(), kSome.end(), name) != kSome.end();
+}
+
+TEST_P(FacadeGLTest, CreateWithoutGl11_NamesFunctionsAndNoContext) {
+    for (const std::intptr_t absent : {0, 1, 2, 3, -1}) {
+        const auto wgl = [&](const char* name) -> void* {
+            return isOfGl11(name) ? reinterpret_cast<void*>(absent) : loader(name);
+        };
+        const AoStatus status = AmbientOcclusion::create(wgl).status();
+        EXPECT_EQ(status.code(), StatusCode::MissingCapability) << absent;
+        EXPECT_NE(status.message().find("glGetString"), std::string::npos) << status.message();
+        EXPECT_NE(status.message().find("opengl32.dll"), std::string::npos) << status.message();
+        EXPECT_EQ(status.message().find("context"), std::string::npos) << status.message();
+    }
+}
+
+TEST_P(FacadeGLTest, AddressesThatWglReturnsForNothing_CountAsMissing) {
+    for (const std::intptr_t absent : {1, 2, 3, -1}) {
+        const auto nothing = [&](const char*) { return reinterpret_cast<void*>(absent); };
+        EXPECT_EQ(AmbientOcclusion::create(nothing).status().code(), StatusCode::NoContext);
+        const auto holed = [&](const char* name) {
+            return std::string_view(name) == "glGenQueries" ? reinterpret_cast<void*>(absent)
+                                                            : loader(name);
+        };
+        const AoStatus status = AmbientOcclusion::create(holed).status();
+        EXPECT_EQ(status.code(), StatusCode::MissingCapability);
+        EXPECT_NE(status.message().find("glGenQueries"), std::string::npos) << status.message();
+    }
 }
 
 TEST_P(FacadeGLTest, RefusedOptionsChangeNothing) {

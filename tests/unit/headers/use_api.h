@@ -1,0 +1,11 @@
+// What a host says of aolib, with names that were macros' before.
+inline aolib::AoStatus useApi(aolib::AmbientOcclusion& ao) {
+    aolib::Options options;
+    options.falloff = aolib::Falloff::Off;
+    options.debugView = aolib::DebugView::Off;
+    options.estimator = aolib::Estimator::Automatic;
+    aolib::visitOptions(options, [](auto&&...) {});
+    ao.setSceneRenderer([](const aolib::FaceView&) {}, glm::vec3(-1.0F), glm::vec3(1.0F));
+    const auto mesh = ao.addMesh({});
+    return mesh ? ao.setOptions(options) : mesh.status();
+}

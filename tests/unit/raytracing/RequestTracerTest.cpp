@@ -1,7 +1,6 @@
 #include "raytracing/RequestTracer.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -13,73 +12,19 @@
 #include <gtest/gtest.h>
 
 #include "TestScenes.h"
+#include "TracedFaces.h"
 #include "reference/ClosedForms.h"
 
 namespace aolib {
 namespace {
 
+using test::directionOf;
+using test::errorAgainstTruth;
+using test::faceRequest;
+using test::forEachSeen;
 using test::sceneOf;
-
-/// The whole of a small face.
-TexelRequest faceRequest(const glm::dvec3& centre, int face, int rays,
-                         Falloff falloff = Falloff::Off, double radius = 1.0, int size = 8) {
-    TexelRequest request;
-    request.centre = glm::vec3(centre);
-    request.faceSize = size;
-    request.face = face;
-    request.width = size;
-    request.height = size;
-    request.rays = rays;
-    request.radius = static_cast<float>(radius);
-    request.falloff = falloff;
-    return request;
-}
-
-TracedTexels traced(const RayScene& scene, const TexelRequest& request) {
-    EXPECT_TRUE(checkRequest(request)) << checkRequest(request).message();
-    std::optional<TracedTexels> result = traceRequest(scene, request, [] { return true; });
-    EXPECT_TRUE(result);
-    return *result;
-}
-
-/// The face's camera, written out by hand.
-glm::dvec3 directionOf(int face, int size, int x, int y) {
-    const double u = (2.0 * x + 1.0) / size - 1.0;
-    const double v = (2.0 * y + 1.0) / size - 1.0;
-    switch (face) {
-    case 0:
-        return glm::normalize(glm::dvec3(1.0, v, u));
-    case 1:
-        return glm::normalize(glm::dvec3(-1.0, v, -u));
-    case 2:
-        return glm::normalize(glm::dvec3(u, 1.0, v));
-    case 3:
-        return glm::normalize(glm::dvec3(u, -1.0, -v));
-    case 4:
-        return glm::normalize(glm::dvec3(-u, v, 1.0));
-    default:
-        return glm::normalize(glm::dvec3(u, v, -1.0));
-    }
-}
-
-/// Calls for every texel that sees something: its place, and the ray through its centre.
-void forEachSeen(const TracedTexels& texels,
-                 const std::function<void(std::size_t, const glm::dvec3&)>& call) {
-    const TexelRequest& request = texels.request;
-    std::size_t i = 0;
-    for (int y = request.y; y < request.y + request.height; ++y) {
-        for (int x = request.x; x < request.x + request.width; ++x, ++i) {
-            if (texels.distance[i] >= 0.0F) {
-                call(i, directionOf(request.face, request.faceSize, x, y));
-            }
-        }
-    }
-}
-
-std::size_t seenCount(const TracedTexels& texels) {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(texels.distance, [](float distance) { return distance >= 0.0F; }));
-}
+using test::seenCount;
+using test::traced;
 
 /// A floor, a wall, a box on the floor in scale 1/2 and a disc in the air: faces that look in every
 /// direction, edges, and open sky.
@@ -102,44 +47,6 @@ TriangleMesh clutter(double scale = 1.0, const glm::dvec3& offset = glm::dvec3(0
     return mesh;
 }
 
-/// The normal that W is about at a hit, written out by hand.
-glm::dvec3 shadingNormalAt(const TriangleMesh& mesh, const Hit& hit, const glm::dvec3& geometric) {
-    if (mesh.normals.empty()) {
-        return geometric;
-    }
-    glm::dvec3 sum(0.0);
-    const std::array weights{1.0 - hit.u - hit.v, hit.u, hit.v};
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-        const std::uint32_t vertex = mesh.indices[3 * std::size_t{hit.triangle} + corner];
-        sum += weights[corner] * glm::dvec3(mesh.normals[vertex]);
-    }
-    if (glm::length(sum) == 0.0) {
-        return geometric;
-    }
-    return (glm::dot(sum, geometric) < 0.0 ? -1.0 : 1.0) * glm::normalize(sum);
-}
-
-/// RMSE of a result against the truth with 16384 rays at what the texels see.
-double errorAgainstTruth(const RayScene& scene, const TracedTexels& texels) {
-    const TexelRequest& request = texels.request;
-    const Result<VisibilityTracer> truth =
-        VisibilityTracer::create(scene, test::tracing(16384, request.falloff, request.radius));
-    double squares = 0.0;
-    forEachSeen(texels, [&](std::size_t i, const glm::dvec3& direction) {
-        const auto hit = scene.intersect(glm::dvec3(request.centre), direction);
-        ASSERT_TRUE(hit);
-        EXPECT_NEAR(texels.distance[i], hit->distance, 3e-4 * hit->distance);
-        const glm::dvec3 normal =
-            glm::dot(hit->normal, direction) > 0.0 ? -hit->normal : hit->normal;
-        EXPECT_NEAR(glm::dot(glm::dvec3(texels.normal[i]), normal), 1.0, 1e-6);
-        const glm::dvec3 lifted = hit->position + hit->clearance * normal;
-        const glm::dvec3 shading = shadingNormalAt(scene.mesh(), *hit, normal);
-        const double w = truth->estimate({lifted, shading, 0.0}, i).visibility;
-        squares += (w - texels.visibility[i]) * (w - texels.visibility[i]);
-    });
-    return std::sqrt(squares / double(seenCount(texels)));
-}
-
 TEST(RequestTracer, ConvergesToTheTruthInEveryFalloff) {
     const RayScene scene = sceneOf(clutter());
     const glm::dvec3 eye(2.037, 1.219, -0.413);
@@ -152,71 +59,6 @@ TEST(RequestTracer, ConvergesToTheTruthInEveryFalloff) {
             EXPECT_LT(errorAgainstTruth(scene, texels), 0.003) << static_cast<int>(falloff);
         }
     }
-}
-
-/// A floor without normals, a ball of few facets with them, some of its vertices without, and a
-/// leaf that is lit from both sides.
-TriangleMesh smoothClutter() {
-    TriangleMesh mesh = test::floorAndWall(3.0);
-    mesh.normals.assign(mesh.positions.size(), glm::vec3(0.0F));
-    TriangleMesh ball = test::smoothSphere(1.0, 5, 7);
-    std::fill_n(ball.normals.begin() + 14, 7, glm::vec3(0.0F));
-    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-    for (const glm::vec3& p : ball.positions) {
-        mesh.positions.push_back(p + glm::vec3(1.6F, 0.9F, 0.3F));
-    }
-    mesh.normals.insert(mesh.normals.end(), ball.normals.begin(), ball.normals.end());
-    for (const std::uint32_t i : ball.indices) {
-        mesh.indices.push_back(first + i);
-    }
-    test::addQuad(mesh, {2.6, 1.0, -1.5}, {1.2, 0.9, 0.0}, {0.0, 0.4, 3.0});
-    const glm::vec3 bent = glm::normalize(glm::vec3(-1.0F, 1.0F, 0.4F));
-    mesh.normals.insert(mesh.normals.end(), {bent, -bent, bent, glm::vec3(0.0F)});
-    return mesh;
-}
-
-TEST(RequestTracer, ConvergesToTheTruthAboutShadingNormals) {
-    const RayScene scene = sceneOf(smoothClutter());
-    for (const glm::dvec3& eye : {glm::dvec3(2.8, 2.4, 1.9), glm::dvec3(4.0, 0.6, -0.8)}) {
-        for (const Falloff falloff : {Falloff::Step, Falloff::Exp, Falloff::Off}) {
-            double worst = 0.0;
-            for (int face = 0; face < 6; ++face) {
-                const TracedTexels texels =
-                    traced(scene, faceRequest(eye, face, 4096, falloff, 1.5));
-                if (seenCount(texels) > 0) {
-                    worst = std::max(worst, errorAgainstTruth(scene, texels));
-                }
-            }
-            // The truth's own noise is about 0.001.
-            EXPECT_LT(worst, 0.003) << static_cast<int>(falloff);
-        }
-    }
-}
-
-/// A lone plane closes the part of a tilted hemisphere that lies below it.
-TEST(RequestTracer, RaysBelowTheTrianglesPlaneAreBlocked) {
-    TriangleMesh plane;
-    test::addQuad(plane, {-50.0, 0.0, -50.0}, {0.0, 0.0, 100.0}, {100.0, 0.0, 0.0});
-    const auto meanUnder = [&](const std::vector<glm::vec3>& normals, int rays, int size) {
-        plane.normals = normals;
-        const TracedTexels texels =
-            traced(sceneOf(plane), faceRequest({0.1, 2.0, 0.2}, 3, rays, Falloff::Off, 1.0, size));
-        EXPECT_EQ(texels.normal[0], glm::vec3(0.0F, 1.0F, 0.0F));
-        const auto count = static_cast<double>(texels.visibility.size());
-        return std::accumulate(texels.visibility.begin(), texels.visibility.end(), 0.0) / count;
-    };
-    for (const double degrees : {20.0, 45.0, 80.0}) {
-        const double angle = degrees * 3.14159265358979 / 180.0;
-        const glm::vec3 tilted(glm::dvec3(std::sin(angle), std::cos(angle), 0.0));
-        const double open = 0.5 * (1.0 + std::cos(angle));
-        EXPECT_NEAR(meanUnder(std::vector(4, tilted), 1024, 8), open, 0.002) << degrees;
-        EXPECT_NEAR(meanUnder(std::vector(4, -tilted), 1024, 8), open, 0.002) << "turned round";
-        // Packets of one texel, and of fewer rays than lanes.
-        EXPECT_NEAR(meanUnder(std::vector(4, tilted), 1024, 1), open, 0.006);
-        EXPECT_NEAR(meanUnder(std::vector(4, tilted), 8, 32), open, 0.005);
-    }
-    EXPECT_EQ(meanUnder(std::vector(4, glm::vec3(0.0F)), 64, 8), 1.0) << "the plane's own";
-    EXPECT_EQ(meanUnder(std::vector(4, glm::vec3(0.0F, 3.0F, 0.0F)), 64, 8), 1.0);
 }
 
 TEST(RequestTracer, ScaleAndDistanceFromTheOriginDoNotMatter) {

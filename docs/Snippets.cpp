@@ -30,6 +30,7 @@ struct Host {
     void overManyFrames();
     void rays();
     void listen();
+    void trust();
 };
 
 TextureName Host::ownTextures() {
@@ -51,6 +52,11 @@ void Host::rays() {
     if (tracer) {
         ao->setTexelTracer(std::move(*tracer)); // Estimator::Automatic, the default, takes it
     }
+}
+
+void Host::trust() {
+    options.trust = {.programs = true, .textures = true, .raster = true};
+    options.debugGroups = false; // the passes are not grouped for debuggers
 }
 
 void Host::listen() {

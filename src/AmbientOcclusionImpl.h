@@ -14,6 +14,18 @@
 
 namespace aolib {
 
+/// Set while it lives.
+class Flag {
+public:
+    explicit Flag(bool& value) : value_(value) { value_ = true; }
+    ~Flag() { value_ = false; }
+    Flag(const Flag&) = delete;
+    Flag& operator=(const Flag&) = delete;
+
+private:
+    bool& value_;
+};
+
 /// What an instance holds, and the ways in which its calls reach the backbone.
 struct AmbientOcclusion::Impl {
     explicit Impl(const gl::Functions& functions) : gl(functions) { gl.group = &contexts; }

@@ -1,0 +1,67 @@
+// Cube maps behind a loading screen.
+#include <algorithm>
+#include <exception>
+#include <string>
+
+#include "AmbientOcclusionImpl.h"
+
+namespace aolib {
+
+namespace {
+
+/// From one call of a progress callback to the next.
+constexpr double kMillisecondsPerProgress = 20.0;
+
+} // namespace
+
+AoStatus AmbientOcclusion::prepare(const ProgressCallback& callback,
+                                   std::span<const glm::vec3> positions) {
+    return impl_->report(impl_->prepare(callback, positions));
+}
+
+AoStatus AmbientOcclusion::Impl::prepare(const ProgressCallback& callback,
+                                         std::span<const glm::vec3> positions) {
+    if (drawing) {
+        return {StatusCode::InvalidCallOrder,
+                "prepare: a frame was begun; end it with aoDrawEnd before"};
+    }
+    if (!std::ranges::all_of(positions, [](const glm::vec3& one) { return isFinite(one); })) {
+        return {StatusCode::InvalidPosition, "the position of a cube map must be finite"};
+    }
+    if (AoStatus status =
+            guarded([&](AbstractBackbone& to) { return to.beginPreparing(positions); });
+        !status) {
+        return status;
+    }
+    for (float progress = 0.0F; progress < 1.0F;) {
+        const auto done = guarded(
+            [](AbstractBackbone& to) { return to.goOnPreparing(kMillisecondsPerProgress); });
+        if (!done) {
+            return done.status();
+        }
+        progress = *done;
+        if (AoStatus status = tell(callback, progress); !status) {
+            return status;
+        }
+    }
+    return {};
+}
+
+AoStatus AmbientOcclusion::Impl::tell(const ProgressCallback& callback, float progress) {
+    const Flag running(rendering);
+    try {
+        if (!callback || callback(progress)) {
+            return {};
+        }
+    } catch (const std::exception& thrown) {
+        return {StatusCode::CallbackFailed,
+                std::string("the progress callback threw: ") + thrown.what()};
+    } catch (...) {
+        return {StatusCode::CallbackFailed,
+                "the progress callback threw what is no std::exception"};
+    }
+    return {StatusCode::Cancelled, "prepare: the progress callback stopped it; what was computed "
+                                   "stays"};
+}
+
+} // namespace aolib

@@ -328,7 +328,7 @@ AoStatus BackboneCubemapped::shadeDirectly(const Frame& frame) {
         return projected_.empty() ? AoStatus()
                                   : projection_->shade(context_, frame, host_, kept(), projected_);
     }
-    const auto told = projection_->tell(context_, frame, host_, kept(), projected_);
+    const auto told = projection_->tell(context_, frame, host_, kept(), projected_, fallsBack());
     if (!told) {
         return told.status();
     }

@@ -151,7 +151,8 @@ AoStatus Projection::shade(const BackboneContext& context, const Frame& frame,
 
 Result<const gl::RenderToTexture2D*>
 Projection::tell(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,
-                 const KeptTexels& kept, const std::vector<CubeMapProjector*>& projectors) {
+                 const KeptTexels& kept, const std::vector<CubeMapProjector*>& projectors,
+                 bool withDepth) {
     const gl::DebugGroup group(context.gl, "aolib: project");
     if (AoStatus status =
             told_.become(context.gl, {.width = frame.size.x,
@@ -174,9 +175,11 @@ Projection::tell(const BackboneContext& context, const Frame& frame, const HostF
     (*shader)->set("uKnownAlone", 1);
     told_.begin(0);
     gl.ClearBufferfv(GL_COLOR, 0, kUnknown);
-    gl.ClearBufferfv(GL_DEPTH, 0, &kFar);
-    gl.Enable(GL_DEPTH_TEST);
-    gl.DepthFunc(GL_ALWAYS);
+    if (withDepth) {
+        gl.ClearBufferfv(GL_DEPTH, 0, &kFar);
+        gl.Enable(GL_DEPTH_TEST);
+        gl.DepthFunc(GL_ALWAYS);
+    }
     context.generated.drawFullscreen();
     gl.DepthFunc(GL_LESS);
     gl.Disable(GL_DEPTH_TEST);

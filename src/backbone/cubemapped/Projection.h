@@ -34,10 +34,12 @@ public:
                    const KeptTexels& kept, const std::vector<CubeMapProjector*>& projectors);
 
     /// W into a target instead, with a depth that fullscreen passes fail by GL_LESS; -1, and no
-    /// such depth, for background and where no cube map knows the surface. Errors: OutOfMemory.
+    /// such depth, for background and where no cube map knows the surface.
+    /// @param withDepth  else the depth is left as it is. Errors: OutOfMemory.
     Result<const gl::RenderToTexture2D*> tell(const BackboneContext& context, const Frame& frame,
                                               const HostFramebuffer& host, const KeptTexels& kept,
-                                              const std::vector<CubeMapProjector*>& projectors);
+                                              const std::vector<CubeMapProjector*>& projectors,
+                                              bool withDepth);
 
     /// Gives that target back.
     void dropTold() { told_ = {}; }

@@ -25,8 +25,8 @@ vec3 samplePosition(ivec2 pixel, int index, float d) {
 }
 
 // Eye space, unit; towards the viewer where the surface does not go on to neighbours.
-vec3 sampleNormal(ivec2 pixel, int index, float d, vec3 position) {
-    vec2 slope = depthSlopes(pixel, index, d);
+vec3 sampleNormal(ivec2 pixel, int index, float d, vec3 position, bool wanted) {
+    vec2 slope = depthSlopes(pixel, index, d, wanted);
     // Over a small part of a pixel: a plane's depth values are linear, but may pass the far end's.
     const float kStep = 0.125;
     vec2 at = vec2(pixel) + samplePlace(index);
@@ -43,7 +43,7 @@ float sampleVisibility(ivec2 pixel, int index, bool wanted) {
     wanted = wanted && d != uDepthFar;
     float t = linearDepth(d);
     vec3 position = samplePosition(pixel, index, d);
-    vec3 normal = sampleNormal(pixel, index, d, position);
+    vec3 normal = sampleNormal(pixel, index, d, position, wanted);
     float tolerance = kSameSurface * pixelFootprint(t) + 2.0 * depthResolution(t);
     float sum = 0.0;
     float weights = 0.0;

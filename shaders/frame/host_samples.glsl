@@ -24,10 +24,12 @@ float planeTolerance(float t) {
 
 // Change of the depth buffer's value per pixel to the right and upwards, each on the side where the surface
 // continues: there the next two values extrapolate to this one's best. 0 where it continues on neither side.
-vec2 depthSlopes(ivec2 pixel, int index, float d) {
+// @param wanted  else nothing but the least of work: a software rasteriser runs it all the same
+vec2 depthSlopes(ivec2 pixel, int index, float d, bool wanted) {
     float tolerance = planeTolerance(linearDepth(d));
     vec2 slopes = vec2(0.0);
-    for (int i = 0; i < 2; ++i) {
+    int i = 0;
+    do {
         ivec2 axis = ivec2(1 - i, i);
         float before1 = sampleDepth(pixel - axis, index);
         float after1 = sampleDepth(pixel + axis, index);
@@ -37,7 +39,8 @@ vec2 depthSlopes(ivec2 pixel, int index, float d) {
         bool beforeInside = all(greaterThanEqual(pixel - axis, ivec2(0)));
         bool useAfter = afterInside && (!beforeInside || missAfter < missBefore);
         float slope = useAfter ? after1 - d : d - before1;
-        slopes[i] = (useAfter ? missAfter : missBefore) > tolerance ? 0.0 : slope;
-    }
+        slope = (useAfter ? missAfter : missBefore) > tolerance ? 0.0 : slope;
+        slopes += slope * vec2(axis);
+    } while (wanted && ++i < 2);
     return slopes;
 }

@@ -16,7 +16,7 @@ const float kContinued = 2.0;
 // The depth of sample `nearest`, continued over its plane to the pixel's centre.
 float continuedDepth(ivec2 pixel, int nearest, float d) {
     float t = linearDepth(d);
-    float centre = d + dot(depthSlopes(pixel, nearest, d), 0.5 - samplePlace(nearest));
+    float centre = d + dot(depthSlopes(pixel, nearest, d, true), 0.5 - samplePlace(nearest));
     float ratio = linearDepth(centre) / t;
     bool sane = (centre - uDepthFar) * (d - uDepthFar) > 0.0 && ratio > 1.0 / kContinued &&
                 ratio < kContinued;
@@ -26,7 +26,7 @@ float continuedDepth(ivec2 pixel, int nearest, float d) {
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     float first = sampleDepth(pixel, 0);
-    vec2 slope = depthSlopes(pixel, 0, first);
+    vec2 slope = depthSlopes(pixel, 0, first, true);
     float sum = 0.0;
     float miss = 0.0;
     float least = first;

@@ -14,7 +14,7 @@ namespace aolib {
 namespace {
 
 /// Pixels along the edge of a tile that is drawn, or left out, as a whole.
-constexpr int kTileSize = 16;
+constexpr int kTileSize = 8;
 /// Vertices of a tile's two triangles.
 constexpr int kTileVertices = 6;
 constexpr int kFoundEdgesUnit = 0;

@@ -96,7 +96,6 @@ MaybeFailure run(RenderFlags& flags) {
     }
     progress.pause();
     const RenderJob job = jobOf(flags, *view);
-    warnOf(unusedOptions(flags.options, job.options));
     const Outcome<GlSession> session = GlSession::open(flags.gl);
     if (!session) {
         return session.failure();
@@ -108,6 +107,7 @@ MaybeFailure run(RenderFlags& flags) {
     if (MaybeFailure failure = session->reviewMessages()) {
         return failure;
     }
+    warnOf(unusedOptions(flags.options, job.options));
     std::optional<Truth> truth;
     std::optional<ErrorAgainstTruth> error;
     if (withTruth) {

@@ -201,7 +201,7 @@ AoStatus BackboneCubemapped::shadeDirectly(const Frame& frame) {
                                                          of.projected, of.pictures);
     }
     const auto told =
-        projection_->tell(context_, frame, of.host, kept(), of.projected, of.pictures);
+        projection_->tell(context_, frame, of.host, kept(), of.projected, of.pictures, fallsBack());
     if (!told) {
         return told.status();
     }

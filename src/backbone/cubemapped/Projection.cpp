@@ -155,7 +155,7 @@ AoStatus Projection::shade(const BackboneContext& context, const Frame& frame,
 Result<const gl::RenderToTexture2D*>
 Projection::tell(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,
                  const KeptTexels& kept, const std::vector<CubeMapProjector*>& projectors,
-                 ProjectedPictures& pictures) {
+                 ProjectedPictures& pictures, bool withDepth) {
     const gl::DebugGroup group(context.gl, "aolib: project");
     if (AoStatus status =
             pictures.told.become(context.gl, {.width = frame.size.x,
@@ -178,9 +178,11 @@ Projection::tell(const BackboneContext& context, const Frame& frame, const HostF
     (*shader)->set("uKnownAlone", 1);
     pictures.told.begin(0);
     gl.ClearBufferfv(GL_COLOR, 0, kUnknown);
-    gl.ClearBufferfv(GL_DEPTH, 0, &kFar);
-    gl.Enable(GL_DEPTH_TEST);
-    gl.DepthFunc(GL_ALWAYS);
+    if (withDepth) {
+        gl.ClearBufferfv(GL_DEPTH, 0, &kFar);
+        gl.Enable(GL_DEPTH_TEST);
+        gl.DepthFunc(GL_ALWAYS);
+    }
     context.generated.drawFullscreen();
     gl.DepthFunc(GL_LESS);
     gl.Disable(GL_DEPTH_TEST);

@@ -45,11 +45,12 @@ public:
                    ProjectedPictures& pictures);
 
     /// W into a target instead, with a depth that fullscreen passes fail by GL_LESS; -1, and no
-    /// such depth, for background and where no cube map knows the surface. Errors: OutOfMemory.
+    /// such depth, for background and where no cube map knows the surface.
+    /// @param withDepth  else the depth is left as it is. Errors: OutOfMemory.
     Result<const gl::RenderToTexture2D*> tell(const BackboneContext& context, const Frame& frame,
                                               const HostFramebuffer& host, const KeptTexels& kept,
                                               const std::vector<CubeMapProjector*>& projectors,
-                                              ProjectedPictures& pictures);
+                                              ProjectedPictures& pictures, bool withDepth);
 
     /// The same into a target whose texture 0 holds, per pixel, the weighted sum of W, log2 of
     /// quality, the face's code and the weight; in one pass, or to and fro between two targets.

@@ -37,10 +37,8 @@ struct ViewState {
     virtual bool converged() const { return true; }
 
     ViewId id{};
-    std::optional<Sight> sight;       ///< of the latest frame
-    std::optional<Sight> sightBefore; ///< of the latest frame that had another
-    int returns = 0;         ///< frames in a row that showed what the one before the last had
-    std::uint64_t drawn = 0; ///< number of the latest frame, of all views' frames
+    std::optional<Sight> sight; ///< of the latest frame
+    std::uint64_t drawn = 0;    ///< number of the latest frame, of all views' frames
 
     HostFramebuffer host;
     GeometryBuffer geometry;           ///< of frames that are not shaded directly

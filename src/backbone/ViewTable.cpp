@@ -19,10 +19,11 @@ bool drawnBefore(const std::unique_ptr<ViewState>& a, const std::unique_ptr<View
 ViewState& ViewTable::begin(ViewId id, const Sight& sight) {
     ++frames_;
     ViewState& state = choose(id, sight);
-    if (state.sight != sight) {
-        state.returns = state.sightBefore == sight ? state.returns + 1 : 0;
-        state.sightBefore = state.sight;
-        state.sight = sight;
+    state.sight = sight;
+    std::deque<Sight>& sights = histories_[id].sights;
+    sights.push_back(sight);
+    if (sights.size() > kMostPerId) {
+        sights.pop_front();
     }
     state.drawn = frames_;
     current_ = &state;
@@ -40,16 +41,26 @@ ViewState& ViewTable::choose(ViewId id, const Sight& sight) {
     if (latest == nullptr) {
         return add(id);
     }
-    if (latest->sightBefore != sight || latest->returns + 1 < kTurns) {
+    if (!takesTurns(id, sight, *latest->sight)) {
         return *latest; // its camera has moved
     }
-    latest->returns = 0;
     if (ViewState* idle = idleOf(id)) {
         return *idle;
     }
     const auto ofId =
         std::ranges::count_if(states_, [&](const auto& one) { return one->id == id; });
     return static_cast<std::size_t>(ofId) < kMostPerId ? add(id) : *latest;
+}
+
+bool ViewTable::takesTurns(ViewId id, const Sight& sight, const Sight& latest) {
+    // A camera that only jitters within its pixels is one view.
+    const bool elsewhere = sight.camera.eye() != latest.camera.eye() ||
+                           sight.camera.eyeToWorld() != latest.camera.eyeToWorld() ||
+                           sight.size != latest.size;
+    History& history = histories_[id];
+    const auto before = std::ranges::find(history.sights, sight);
+    history.returns = elsewhere && before != history.sights.end() ? history.returns + 1 : 0;
+    return history.returns >= kTurns;
 }
 
 ViewState* ViewTable::find(ViewId id) const {
@@ -72,6 +83,7 @@ ViewState* ViewTable::idleOf(ViewId id) const {
 ViewState& ViewTable::add(ViewId id) {
     if (states_.size() >= kMost) {
         states_.erase(std::ranges::min_element(states_, drawnBefore));
+        dropHistories();
     }
     states_.push_back(make_());
     states_.back()->id = id;
@@ -83,11 +95,18 @@ void ViewTable::remove(ViewId id) {
         current_ = nullptr;
     }
     std::erase_if(states_, [&](const auto& one) { return one->id == id; });
+    dropHistories();
 }
 
 void ViewTable::giveUpIdle() {
     const std::uint64_t limit = frames(kIdleFrames, kIdleRounds, states_.size());
-    std::erase_if(states_, [&](const auto& one) { return frames_ - one->drawn > limit; });
+    if (std::erase_if(states_, [&](const auto& one) { return frames_ - one->drawn > limit; }) > 0) {
+        dropHistories();
+    }
+}
+
+void ViewTable::dropHistories() {
+    std::erase_if(histories_, [&](const auto& one) { return find(one.first) == nullptr; });
 }
 
 bool ViewTable::isRecent(const ViewState& state) const {

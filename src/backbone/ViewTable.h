@@ -2,7 +2,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <functional>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -14,7 +16,7 @@ namespace aolib {
 /// the states hold.
 ///
 /// Where a host draws several views by one id, the table tells them apart by their cameras once
-/// they rest: of two cameras that take turns each is a view of its own.
+/// they rest: of cameras at several places that take turns each is a view of its own.
 class ViewTable {
 public:
     /// Views are given up after so many frames of others, and after so many for each view there is.
@@ -26,9 +28,10 @@ public:
     static constexpr std::uint64_t kRecentRounds = 2;
     /// Most views at a time: the one that was drawn longest ago makes room.
     static constexpr std::size_t kMost = 64;
-    /// Frames by one id in which two cameras take turns until they are two views.
-    static constexpr int kTurns = 3;
-    /// Most of them by one id.
+    /// Frames by one id in a row that show what was shown of late until they are views of their
+    /// own: more than a camera has that walks back the way it came.
+    static constexpr int kTurns = 6;
+    /// Most of them by one id, and frames that count as of late.
     static constexpr std::size_t kMostPerId = 8;
 
     using Make = std::function<std::unique_ptr<ViewState>()>;
@@ -62,13 +65,23 @@ public:
     };
 
 private:
+    /// The frames of an id.
+    struct History {
+        std::deque<Sight> sights; ///< of late, the latest last
+        int returns = 0;          ///< frames in a row that showed one of these
+    };
+
     ViewState& choose(ViewId id, const Sight& sight);
+    /// Whether a sight is one of several that take turns. @param latest  of the view drawn last
+    bool takesTurns(ViewId id, const Sight& sight, const Sight& latest);
     ViewState* idleOf(ViewId id) const;
     ViewState& add(ViewId id);
     void giveUpIdle();
+    void dropHistories();
 
     Make make_;
     std::vector<std::unique_ptr<ViewState>> states_;
+    std::map<ViewId, History> histories_; ///< of those that have views
     ViewState* current_ = nullptr;
     std::uint64_t frames_ = 0; ///< begun
 };

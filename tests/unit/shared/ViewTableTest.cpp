@@ -1,5 +1,7 @@
 #include "backbone/ViewTable.h"
 
+#include <cstdlib>
+
 #include <gtest/gtest.h>
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -37,16 +39,30 @@ TEST_F(ViewTableTest, IdsNameViews) {
 }
 
 TEST_F(ViewTableTest, CamerasThatTakeTurnsByOneIdAreViewsOfTheirOwn) {
-    for (int i = 0; i < 12; ++i) {
-        table.begin(kLeft, sightFrom(static_cast<float>(i % 2)));
+    for (const int count : {2, 4, 7}) {
+        table.remove(kLeft);
+        for (int i = 0; i < 6 * count; ++i) {
+            table.begin(kLeft, sightFrom(static_cast<float>(i % count)));
+        }
+        ASSERT_EQ(table.all().size(), static_cast<std::size_t>(count));
+        const ViewState& one = table.begin(kLeft, sightFrom(0));
+        EXPECT_NE(&table.begin(kLeft, sightFrom(1)), &one);
+        EXPECT_EQ(&table.begin(kLeft, sightFrom(0)), &one);
     }
-    ASSERT_EQ(table.all().size(), 2U);
-    EXPECT_NE(&table.begin(kLeft, sightFrom(0)), &table.begin(kLeft, sightFrom(1)));
+}
+
+TEST_F(ViewTableTest, ACameraThatJittersIsOneView) {
+    for (int i = 0; i < 40; ++i) {
+        glm::mat4 projection = glm::perspective(1.0F, 1.5F, 0.1F, 100.0F);
+        projection[2][0] = 0.001F * static_cast<float>(i % 4);
+        table.begin(kLeft, {*HostCamera::create(glm::mat4(1.0F), projection), {160, 90}, {}});
+    }
+    EXPECT_EQ(table.all().size(), 1U);
 }
 
 TEST_F(ViewTableTest, ACameraThatWalksToAndFroIsOneView) {
-    for (const float x : {0.0F, 1.0F, 2.0F, 1.0F, 0.0F, 1.0F, 2.0F, 3.0F, 2.0F, 1.0F}) {
-        table.begin(kLeft, sightFrom(x));
+    for (int i = 0; i < 80; ++i) {
+        table.begin(kLeft, sightFrom(static_cast<float>(std::abs(i % 40 - 20))));
     }
     EXPECT_EQ(table.all().size(), 1U);
 }

@@ -1,4 +1,9 @@
 // What a host says of aolib, with names that were macros' before.
+#pragma once
+
+#include <aolib/OptionFields.h>
+#include <aolib/aolib.h>
+
 inline aolib::AoStatus useApi(aolib::AmbientOcclusion& ao) {
     aolib::Options options;
     options.falloff = aolib::Falloff::Off;

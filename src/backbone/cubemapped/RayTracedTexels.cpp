@@ -10,8 +10,6 @@
 #include "backbone/cubemapped/FaceCapture.h"
 #include "backbone/cubemapped/RoughTiles.h"
 #include "backbone/cubemapped/TileKey.h"
-#include "shared/cube_faces.h"
-#include "shared/distance_code.h"
 
 namespace aolib {
 
@@ -26,24 +24,8 @@ constexpr std::size_t kQueue = 512;
 /// Results that are taken before the clock is looked at again: a block of detail takes a while.
 constexpr std::size_t kAtATime = 1;
 
-/// Of the rays that tiles which begin again take, so many more go to tiles that are to be refined:
-/// what never rests leaves a third of the work to what does.
-constexpr double kRefinedShare = 0.5;
-/// Rays beyond which that debt does not grow: those of a few tiles.
-constexpr double kMostOwed = 4e6;
-/// Texels about those that are measured in which a surface may be that none of them sees.
-constexpr float kBetweenTexels = 2.0F;
-
 std::uint32_t number(const CubeMapProjector& projector) {
     return static_cast<std::uint32_t>(projector.id());
-}
-
-/// Where on its face the middle of a request's texel lies, 0 to 1.
-glm::vec2 texelAt(const TexelRequest& request, std::size_t number) {
-    const auto column = static_cast<int>(number) % request.width;
-    const auto row = static_cast<int>(number) / request.width;
-    return (glm::vec2(request.x + column, request.y + row) + 0.5F) /
-           static_cast<float>(request.faceSize);
 }
 
 /// Rays of a request.
@@ -84,8 +66,8 @@ void RayTracedTexels::sceneChanged(CubeMapProjector& projector, const Scene::Cha
     for (const int tile : projector.tilesTowards(within)) {
         Shown& shown = work.shown[static_cast<std::size_t>(tile)];
         // Occluded from there, or else hidden by it or no longer.
-        const bool reached = within.meets(shown.surfaces);
-        const bool seen = seenFrom <= shown.farthest && projector.looksAt(tile, change.region);
+        const bool reached = within.meets(shown.seen.surfaces);
+        const bool seen = seenFrom <= shown.seen.farthest && projector.looksAt(tile, change.region);
         if (!reached && !seen) {
             continue;
         }
@@ -112,7 +94,7 @@ RayTracedTexels::Work& RayTracedTexels::workOf(const CubeMapProjector& projector
     const auto [found, isNew] = works_.try_emplace(projector.id());
     if (isNew) { // what was asked for before may be traced in an older scene
         found->second.shown.assign(static_cast<std::size_t>(projector.tiles.count()),
-                                   {.changedIn = queue_.scene()});
+                                   {.scene = 0, .changedIn = queue_.scene(), .seen = {}});
     }
     return found->second;
 }
@@ -204,53 +186,29 @@ void RayTracedTexels::request(const std::vector<CubeMapProjector*>& projectors) 
     if (wanted.first.empty() && wanted.refined.empty()) {
         return;
     }
-    const auto keyOf = [](const Wanted& w) {
-        return TileKey{number(*w.projector), w.detail, w.tile}.packed();
+    std::map<std::uint64_t, TexelRequest> requests;
+    const auto turnsOf = [&](const std::vector<Wanted>& list) {
+        std::vector<TileTurns::Tile> tiles;
+        for (const Wanted& one : list) {
+            const TexelRequest request = requestFor(one);
+            tiles.push_back({request.key, cost(request), one.projector->tiles.known(one.tile)});
+            requests.emplace(request.key, request);
+        }
+        return tiles;
     };
+    const std::vector<TileTurns::Tile> first = turnsOf(wanted.first);
     // What a worker has begun would be begun again: the queue is only exchanged when it runs low or
     // a tile without a pass is not in it.
     const bool low = queue_.pending(TracerQueue::Asker::Texels) <= queued_ / 4;
-    if (!low && std::ranges::all_of(wanted.first, [&](const Wanted& w) {
-            return queuedFirst_.contains(keyOf(w));
-        })) {
+    if (!low && turns_.has(first)) {
         return;
     }
-    const std::set<std::uint64_t> before = std::exchange(queuedRefined_, {});
-    queuedFirst_.clear();
     std::vector<TexelRequest> queue;
-    double owed = owed_;
-    auto first = wanted.first.begin();
-    auto refined = wanted.refined.begin();
-    while (queue.size() < kQueue) {
-        const bool begins = first != wanted.first.end();
-        if (!begins && refined == wanted.refined.end()) {
-            break;
-        }
-        const bool refines =
-            refined != wanted.refined.end() && (!begins || owed >= cost(requestFor(*refined)));
-        const Wanted& next = refines ? *refined++ : *first++;
-        const std::uint64_t key = keyOf(next);
-        if (refines && begins && before.contains(key)) {
-            continue; // queued before the others: perhaps begun, else its turn comes again
-        }
-        queue.push_back(requestFor(next));
-        (refines ? queuedRefined_ : queuedFirst_).insert(key);
-        if (refines) {
-            owed -= cost(queue.back());
-        } else if (next.projector->tiles.known(next.tile)) {
-            owed += kRefinedShare * cost(queue.back());
-        }
+    for (const std::uint64_t key : turns_.order(first, turnsOf(wanted.refined), kQueue)) {
+        queue.push_back(requests.at(key));
     }
     queued_ = queue.size();
     queue_.request(TracerQueue::Asker::Texels, std::move(queue));
-}
-
-void RayTracedTexels::account(const TracedTexels& traced, bool begunAgain) {
-    if (begunAgain) {
-        owed_ = std::min(owed_ + kRefinedShare * cost(traced.request), kMostOwed);
-    } else if (traced.request.firstRay > 0) {
-        owed_ = std::max(owed_ - cost(traced.request), 0.0);
-    }
 }
 
 // ---- What has come ------------------------------------------------------------------------------
@@ -271,11 +229,13 @@ AoStatus RayTracedTexels::takeResults(const std::vector<CubeMapProjector*>& proj
          results = queue_.take(TracerQueue::Asker::Texels, kAtATime)) {
         for (const TracedTexels& traced : results) {
             const TileKey key = TileKey::unpacked(traced.request.key);
-            queuedRefined_.erase(traced.request.key);
             const auto found =
                 std::find_if(projectors.begin(), projectors.end(), [&](const auto* projector) {
                     return number(*projector) == key.cubeMap;
                 });
+            const bool again = found != projectors.end() && (*found)->tiles.known(key.tile);
+            turns_.answered({traced.request.key, cost(traced.request), again},
+                            traced.request.firstRay > 0 || key.detail);
             // One that is gone, or too far away meanwhile, is asked for again when it is back.
             if (found == projectors.end() || !fits(**found, traced, key.detail)) {
                 continue;
@@ -317,7 +277,6 @@ bool RayTracedTexels::counts(const CubeMapProjector& projector, const TracedTexe
 AoStatus RayTracedTexels::take(CubeMapProjector& projector, const TracedTexels& traced, int tile) {
     spanScene(projector);
     const int had = projector.tiles.passes(tile);
-    account(traced, had == 0 && projector.tiles.known(tile));
     if (!counts(projector, traced, tile)) {
         return had == 0 ? takeOutdated(projector, traced, tile) : AoStatus();
     }
@@ -371,7 +330,7 @@ AoStatus RayTracedTexels::takeDetail(CubeMapProjector& projector, const TracedTe
         work.details.erase(tile);
         return {};
     }
-    const Codes codes = encode(projector, traced, sums);
+    const TexelCodes codes = encodeTexels(traced, sums.sum, sums.rays, projector.depthCode());
     blocks_.upload(*block, traced.request.width, traced.request.height, codes.visibility,
                    codes.depth);
     projector.tiles.setBlockPasses(tile, projector.tiles.blockPasses(tile) + 1);
@@ -381,68 +340,27 @@ AoStatus RayTracedTexels::takeDetail(CubeMapProjector& projector, const TracedTe
     return {};
 }
 
-RayTracedTexels::Codes RayTracedTexels::encode(const CubeMapProjector& projector,
-                                               const TracedTexels& traced, const Tile& tile) {
-    const TexelRequest& request = traced.request;
-    Codes codes{std::vector<std::uint8_t>(traced.distance.size(), 255),
-                std::vector<std::uint16_t>(traced.distance.size(), 0)};
-    const glm::vec2 code = projector.depthCode();
-    for (std::size_t i = 0; i < traced.distance.size(); ++i) {
-        if (traced.distance[i] < 0.0F) {
-            continue;
-        }
-        const float along =
-            traced.distance[i] / glm::length(shared::faceDirection(0, texelAt(request, i)));
-        codes.visibility[i] = static_cast<std::uint8_t>(std::lround(
-            255.0F * std::clamp(tile.sum[i] / static_cast<float>(tile.rays), 0.0F, 1.0F)));
-        codes.depth[i] =
-            static_cast<std::uint16_t>(std::lround(65535.0F * shared::encodeDistance(along, code)));
-    }
-    return codes;
-}
-
 AoStatus RayTracedTexels::upload(CubeMapProjector& projector, const TracedTexels& traced,
                                  const Tile& sums, int tile) {
     const TexelRequest& request = traced.request;
     Work& work = workOf(projector);
     Shown& shown = work.shown[static_cast<std::size_t>(tile)];
     shown.scene = traced.scene;
-    measure(shown, projector, traced);
+    shown.seen = seenSurfaces(traced);
     if (request.firstRay == 0) {
         projector.dropBlocks(store_, blocks_, tile); // of an older scene
         work.details.erase(tile);
     }
-    if (shown.surfaces.empty() && !projector.keeps(request.face)) {
+    if (shown.seen.surfaces.empty() && !projector.keeps(request.face)) {
         return {};
     }
     if (AoStatus status = projector.keepFace(store_, request.face); !status) {
         return status;
     }
-    const Codes codes = encode(projector, traced, sums);
+    const TexelCodes codes = encodeTexels(traced, sums.sum, sums.rays, projector.depthCode());
     store_.upload(projector.layer(request.face), {request.x, request.y},
                   {request.width, request.height}, codes.visibility, codes.depth);
     return {};
-}
-
-void RayTracedTexels::measure(Shown& shown, const CubeMapProjector& projector,
-                              const TracedTexels& traced) {
-    const TexelRequest& request = traced.request;
-    shown.surfaces = {};
-    shown.farthest = 0.0F;
-    float reach = 0.0F;
-    for (std::size_t i = 0; i < traced.distance.size(); ++i) {
-        if (traced.distance[i] < 0.0F) {
-            shown.farthest = kInfinite;
-            continue;
-        }
-        const glm::vec3 direction = shared::faceDirection(request.face, texelAt(request, i));
-        shown.surfaces.include(projector.position() +
-                               traced.distance[i] * glm::normalize(direction));
-        reach = std::max(reach, traced.distance[i]);
-    }
-    shown.farthest = std::max(shown.farthest, reach);
-    shown.surfaces = shown.surfaces.inflated(2.0F * kBetweenTexels * reach /
-                                             static_cast<float>(request.faceSize));
 }
 
 void RayTracedTexels::spanScene(CubeMapProjector& projector) {

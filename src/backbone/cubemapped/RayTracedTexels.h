@@ -1,12 +1,12 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <map>
-#include <set>
 #include <vector>
 
 #include "backbone/cubemapped/AbstractTexelSource.h"
+#include "backbone/cubemapped/TexelCodes.h"
+#include "backbone/cubemapped/TileTurns.h"
 #include "backbone/cubemapped/TracerQueue.h"
 
 namespace aolib {
@@ -44,14 +44,11 @@ private:
         std::vector<float> sum; ///< per texel: W times rays
         int rays = 0;
     };
-    static constexpr float kInfinite = std::numeric_limits<float>::infinity();
-    static Bounds everywhere() { return {glm::vec3(-kInfinite), glm::vec3(kInfinite)}; }
     /// What a tile shows, and since when that is out of date. Scenes by their numbers.
     struct Shown {
-        std::uint64_t scene = 0;        ///< that was traced
-        std::uint64_t changedIn = 0;    ///< results of scenes before are out of date
-        Bounds surfaces = everywhere(); ///< that its texels see, world units
-        float farthest = kInfinite;     ///< distance of one of them; infinite where one sees none
+        std::uint64_t scene = 0;     ///< that was traced
+        std::uint64_t changedIn = 0; ///< results of scenes before are out of date
+        SeenSurfaces seen;           ///< before anything is known, all that there may be
     };
     struct Work {
         std::map<int, Tile> tiles;
@@ -84,8 +81,6 @@ private:
     bool fits(const CubeMapProjector& projector, const TracedTexels& traced, bool detail) const;
     /// Whether a result belongs to the scene and the radius as they are for a tile.
     bool counts(const CubeMapProjector& projector, const TracedTexels& traced, int tile);
-    /// Keeps the balance between tiles that begin again and those that are refined.
-    void account(const TracedTexels& traced, bool begunAgain);
     /// Takes what is finished until the time is up.
     AoStatus takeResults(const std::vector<CubeMapProjector*>& projectors, double milliseconds);
     AoStatus take(CubeMapProjector& projector, const TracedTexels& traced, int tile);
@@ -94,18 +89,9 @@ private:
     AoStatus takeDetail(CubeMapProjector& projector, const TracedTexels& traced, int tile);
     /// Adds a pass. @return false when it has been traced before.
     static bool add(Tile& sums, const TracedTexels& traced);
-    /// Texels as they are kept.
-    struct Codes {
-        std::vector<std::uint8_t> visibility;
-        std::vector<std::uint16_t> depth;
-    };
-    static Codes encode(const CubeMapProjector& projector, const TracedTexels& traced,
-                        const Tile& tile);
     AoStatus upload(CubeMapProjector& projector, const TracedTexels& traced, const Tile& sums,
                     int tile);
     void spanScene(CubeMapProjector& projector);
-    static void measure(Shown& shown, const CubeMapProjector& projector,
-                        const TracedTexels& traced);
 
     const BackboneContext context_;
     FaceStore& store_;
@@ -113,10 +99,8 @@ private:
     TracerQueue& queue_;
     float radius_ = 1.0F;
     std::map<CubeMapId, Work> works_;
-    std::set<std::uint64_t> queuedFirst_;   ///< keys of tiles without a pass, as last queued
-    std::set<std::uint64_t> queuedRefined_; ///< and of the others
+    TileTurns turns_;
     std::size_t queued_ = 0;
-    double owed_ = 0.0; ///< rays that tiles which begin again took from those to be refined
 };
 
 } // namespace aolib

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <set>
+#include <vector>
+
+namespace aolib {
+
+/// The order in which tiles are traced: those without a pass first, but where these begin again and
+/// again, because the scene changes in every frame, the others have their turns between them. No
+/// GL.
+class TileTurns {
+public:
+    /// A tile that lacks a pass.
+    struct Tile {
+        std::uint64_t key;
+        double rays; ///< of the pass
+        bool again;  ///< it shows something already, of an older scene
+    };
+
+    /// Whether all of these tiles were in the latest order().
+    bool has(const std::vector<Tile>& first) const;
+    /// The next tiles: keys, at most `most`.
+    /// @param first    without a pass, the most urgent first
+    /// @param refined  with some, likewise. One that was ordered before a tile without a pass, and
+    ///                 has not been answered, may be under way: it waits for the next order.
+    std::vector<std::uint64_t> order(const std::vector<Tile>& first,
+                                     const std::vector<Tile>& refined, std::size_t most);
+    /// A pass over a tile has come.
+    void answered(const Tile& tile, bool refined);
+
+private:
+    std::set<std::uint64_t> first_;   ///< keys of the latest order
+    std::set<std::uint64_t> refined_; ///< of the others in it, until they are answered
+    double owed_ = 0.0; ///< rays that tiles which begin again took from those to be refined
+};
+
+} // namespace aolib

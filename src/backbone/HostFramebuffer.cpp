@@ -87,13 +87,12 @@ AoStatus HostFramebuffer::copyDepth(const BackboneContext& context, const Frame&
     GLint samples = 0;
     gl.GetIntegerv(GL_SAMPLES, &samples);
     sampled_ = false;
-    if (samples != refused_ && HostSamples::canCopy(gl, samples)) {
+    if (HostSamples::canCopy(gl, samples)) {
         AoStatus status = samples_.acquire(context, frame, format, samples);
-        sampled_ = status.ok();
-        if (status.code() != StatusCode::MissingCapability) {
+        sampled_ = status.ok() && samples_.count() == samples;
+        if (!status || sampled_) {
             return status;
         }
-        refused_ = samples;
     }
     return copyOneSample(gl, frame, format, samples);
 }

@@ -40,7 +40,6 @@ private:
     gl::RenderToTexture2D depth_; ///< of hosts without samples
     HostSamples samples_;
     bool sampled_ = false; ///< samples_ holds the frame's depth
-    int refused_ = 0;      ///< samples that the driver has no texture for
     gl::RenderToTexture2D normals_;
     glm::vec2 normalCode_{1.0F, 0.0F};
 };

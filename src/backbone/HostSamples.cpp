@@ -74,7 +74,6 @@ AoStatus HostSamples::makeTargets(const gl::Functions& gl, const glm::ivec2& siz
 
 /// Of the framebuffer that is bound for drawing.
 void HostSamples::readPlaces(const gl::Functions& gl, int samples) {
-    places_.clear();
     for (int i = 0; i < samples; ++i) {
         std::array<GLfloat, 2> place{};
         gl.GetMultisamplefv(GL_SAMPLE_POSITION, static_cast<GLuint>(i), place.data());
@@ -91,6 +90,10 @@ AoStatus HostSamples::acquire(const BackboneContext& context, const Frame& frame
     }
     if (AoStatus status = makeTargets(gl, frame.size, format, samples); !status) {
         return status;
+    }
+    places_.clear();
+    if (samples_.samples() != samples) {
+        return {}; // a blit needs as many
     }
     gl.BindFramebuffer(GL_FRAMEBUFFER, frame.depthFramebuffer);
     readPlaces(gl, samples);

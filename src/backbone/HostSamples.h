@@ -26,8 +26,8 @@ public:
     static bool canCopy(const gl::Functions& gl, int samples);
 
     /// Copies the viewport's part of the samples, and finds one depth per pixel. Leaves a
-    /// framebuffer of its own bound. Errors: OutOfMemory, ShaderError; MissingCapability where the
-    /// driver has no texture like the host's depth buffer.
+    /// framebuffer of its own bound. Where the driver has no texture with that many samples,
+    /// count() is 0. Errors: OutOfMemory, MissingCapability, ShaderError.
     AoStatus acquire(const BackboneContext& context, const Frame& frame,
                      gl::RenderToTexture2D::Depth format, int samples);
 

@@ -34,6 +34,7 @@ Result<MultisampleDepth> MultisampleDepth::create(const Functions& gl, const Set
                             " x " + std::to_string(settings.height) + " pixels of " +
                             std::to_string(settings.samples) + " samples");
     }
+    gl.GetTexLevelParameteriv(GL_TEXTURE_2D_MULTISAMPLE, 0, GL_TEXTURE_SAMPLES, &depth.samples_);
     auto framebuffer = Container::create(
         gl, Container::kFramebuffer, settings.label,
         [settings, texture = depth.texture_.name()](const Functions& in, GLuint name) {
@@ -55,13 +56,12 @@ AoStatus MultisampleDepth::attach(const Functions& gl, const Settings& settings,
     gl.DrawBuffer(GL_NONE);
     gl.ReadBuffer(GL_NONE);
     const GLenum state = gl.CheckFramebufferStatus(GL_FRAMEBUFFER);
-    GLint samples = 0;
-    gl.GetIntegerv(GL_SAMPLES, &samples);
-    if (state != GL_FRAMEBUFFER_COMPLETE || samples != settings.samples) {
+    if (state != GL_FRAMEBUFFER_COMPLETE) {
         return {StatusCode::MissingCapability,
-                settings.label + ": asked for " + std::to_string(settings.samples) +
-                    " samples, the driver gives " + std::to_string(samples) +
-                    " (framebuffer status " + std::to_string(state) + ")"};
+                settings.label + ": this driver cannot render to " +
+                    std::to_string(settings.samples) +
+                    " samples of the depth's format (framebuffer status " + std::to_string(state) +
+                    ")"};
     }
     return {};
 }
@@ -84,7 +84,7 @@ void MultisampleDepth::beginDraw() const {
 std::size_t MultisampleDepth::bytes() const {
     return texture_ ? static_cast<std::size_t>(settings_.width) *
                           static_cast<std::size_t>(settings_.height) *
-                          static_cast<std::size_t>(settings_.samples) *
+                          static_cast<std::size_t>(samples_) *
                           RenderToTexture2D::bytesPerTexel(settings_.format)
                     : 0;
 }

@@ -25,12 +25,14 @@ public:
     };
 
     /// Makes the texture match the settings, unless it does. May leave its framebuffer bound.
-    /// Errors: OutOfMemory; MissingCapability where the driver has not this many samples of this
-    /// format. The texture then stays what it was.
+    /// Errors: OutOfMemory, MissingCapability. The texture then stays what it was.
     AoStatus become(const Functions& gl, const Settings& settings);
 
     /// Directs rendering and blits to it.
     void beginDraw() const;
+    /// Samples that the driver gave: at least as many as were asked for, or fewer where it has no
+    /// more.
+    int samples() const { return samples_; }
     GLuint textureName() const { return texture_.name(); }
     /// GPU memory of all samples.
     std::size_t bytes() const;
@@ -43,6 +45,7 @@ private:
 
     const Functions* gl_ = nullptr;
     Settings settings_;
+    int samples_ = 0;
     Container framebuffer_;
     Texture texture_;
 };

@@ -115,6 +115,19 @@ protected:
                 {"aoApply, other size", apply(false, 12)},
                 {"aoApply, normals", apply(true, 12)}};
     }
+    /// A frame for a depth texture with samples, and what is read of it.
+    std::vector<Step> sampledSteps() {
+        const auto apply = [this](AmbientOcclusion& ao) {
+            return ao
+                .aoApply({.size = {HostObjects::kWidth, HostObjects::kHeight},
+                          .depth = TextureName{samples_.name()}},
+                         Guest::eye())
+                .status();
+        };
+        return {{"aoApply, samples", apply}, {"readVisibility", [](AmbientOcclusion& ao) {
+                                                  return ao.readVisibility().status();
+                                              }}};
+    }
     /// Cube maps that the host draws.
     static std::vector<Step> drawnSteps() {
         const auto nothing = [](const FaceView&) {};
@@ -188,6 +201,13 @@ TEST_P(FaultGLTest, TexturesOfTheHostGetOverWhatGlRefuses) {
                  1);
 }
 
+TEST_P(FaultGLTest, SamplesOfTheHostGetOverWhatGlRefuses) {
+    refuseEachIn([this] { return sampledSteps(); },
+                 {Fault::GenTextures, Fault::GenFramebuffers, Fault::FramebufferStatus,
+                  Fault::TextureStorage, Fault::TextureSize},
+                 1);
+}
+
 TEST_P(FaultGLTest, DrawnScenesGetOverWhatGlRefuses) {
     for (const Estimator estimator : {Estimator::HorizonSplit, Estimator::LayeredIntervals}) {
         estimator_ = estimator;
@@ -200,7 +220,8 @@ TEST_P(FaultGLTest, DrawnScenesGetOverWhatGlRefuses) {
 
 TEST_P(FaultGLTest, ShadersThatAreBuiltLateMayFail) {
     for (const auto& [steps, last] :
-         {std::pair{textureSteps(), std::size_t{3}}, std::pair{drawnSteps(), std::size_t{0}}}) {
+         {std::pair{textureSteps(), std::size_t{3}}, std::pair{sampledSteps(), std::size_t{0}},
+          std::pair{drawnSteps(), std::size_t{0}}}) {
         for (const Fault fault : {Fault::CompileShader, Fault::LinkProgram}) {
             auto ao = make();
             ASSERT_TRUE(ao.ok());

@@ -51,6 +51,7 @@ void FaultTest::SetUp() {
     }
     depth_ = texture(GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8);
     normal_ = texture(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE);
+    samples_ = sampledDepth();
     auto renderer = host::HostRenderer::create(gl, guestScene());
     ASSERT_TRUE(renderer.ok());
     poison->calm();
@@ -61,6 +62,7 @@ void FaultTest::SetUp() {
 void FaultTest::TearDown() {
     depth_ = {};
     normal_ = {};
+    samples_ = {};
     RefusalTest::TearDown();
 }
 
@@ -71,6 +73,22 @@ gl::Texture FaultTest::texture(GLint internal, GLenum format, GLenum type) {
     gl.TexImage2D(GL_TEXTURE_2D, 0, internal, HostObjects::kWidth, HostObjects::kHeight, 0, format,
                   type, half.data());
     gl.BindTexture(GL_TEXTURE_2D, 0);
+    return made;
+}
+
+gl::Texture FaultTest::sampledDepth() {
+    auto made = gl::generate<gl::Texture>(gl, &gl::Functions::GenTextures);
+    gl.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, made.name());
+    gl.TexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, 4, GL_DEPTH_COMPONENT24,
+                             HostObjects::kWidth, HostObjects::kHeight, GL_TRUE);
+    gl.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, 0);
+    const auto framebuffer = gl::generate<gl::Framebuffer>(gl, &gl::Functions::GenFramebuffers);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
+    gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D_MULTISAMPLE,
+                            made.name(), 0);
+    constexpr GLfloat kDepth = 0.5F;
+    gl.ClearBufferfv(GL_DEPTH, 0, &kDepth);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
     return made;
 }
 

@@ -60,6 +60,7 @@ protected:
 
     gl::Texture depth_;
     gl::Texture normal_;
+    gl::Texture samples_; ///< depth, four samples per pixel
     std::vector<MeshId> meshes_;
     bool replaced_ = false;
     Estimator estimator_ = Estimator::HorizonSplit;
@@ -69,6 +70,7 @@ private:
     std::optional<Outcome> run(const std::vector<Step>& steps, AmbientOcclusion& ao, Fault fault,
                                int n);
     gl::Texture texture(GLint internal, GLenum format, GLenum type);
+    gl::Texture sampledDepth();
 
     int refusals_ = 0;
 };

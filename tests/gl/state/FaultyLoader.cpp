@@ -105,6 +105,13 @@ void APIENTRY texImage2D(GLenum target, GLint level, GLint internalFormat, GLsiz
                                                          height, border, format, type, data);
     }
 }
+void APIENTRY texImage2DMultisample(GLenum target, GLsizei samples, GLenum internalFormat,
+                                    GLsizei width, GLsizei height, GLboolean fixedPlaces) {
+    if (!inUse->fails(Fault::TextureStorage)) {
+        inUse->real<PFNGLTEXIMAGE2DMULTISAMPLEPROC>("glTexImage2DMultisample")(
+            target, samples, internalFormat, width, height, fixedPlaces);
+    }
+}
 void APIENTRY texImage3D(GLenum target, GLint level, GLint internalFormat, GLsizei width,
                          GLsizei height, GLsizei depth, GLint border, GLenum format, GLenum type,
                          const void* data) {
@@ -161,6 +168,7 @@ const std::map<std::string, void*>& replacements() {
         {"glGetProgramiv", address(&getProgramiv)},
         {"glCheckFramebufferStatus", address(&checkFramebufferStatus)},
         {"glTexImage2D", address(&texImage2D)},
+        {"glTexImage2DMultisample", address(&texImage2DMultisample)},
         {"glTexImage3D", address(&texImage3D)},
         {"glGetTexLevelParameteriv", address(&getTexLevelParameteriv)},
         {"glBufferData", address(&bufferData)},

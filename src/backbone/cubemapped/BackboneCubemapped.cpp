@@ -236,16 +236,7 @@ void BackboneCubemapped::optionsChanged(const Options& before) {
 
 AoStatus BackboneCubemapped::followScene() {
     const std::vector<Scene::Change> changes = context_.scene.takeChanges();
-    if (context_.options.estimator == Estimator::RayTraced) {
-        sceneGeometry_.forget(changes); // rays need no triangles on the GPU
-    } else if (AoStatus status =
-                   sceneGeometry_.update(context_.gl, context_.scene, changes,
-                                         traitsOf(context_.options.estimator).layered);
-               !status) {
-        markAllDirty(); // the changes are taken and will not come again
-        return status;
-    }
-    if (!changes.empty()) {
+    if (!changes.empty()) { // noted before anything may fail: they will not come again
         // Receivers up to that far away from a change see a difference.
         const float within =
             shared::occluderReach(static_cast<int>(context_.options.falloff), radius());
@@ -259,7 +250,16 @@ AoStatus BackboneCubemapped::followScene() {
         markAllOutdated();
         restartViews();
     }
-    return {};
+    if (context_.options.estimator == Estimator::RayTraced) {
+        sceneGeometry_.forget(changes); // rays need no triangles on the GPU
+        return {};
+    }
+    AoStatus status = sceneGeometry_.update(context_.gl, context_.scene, changes,
+                                            traitsOf(context_.options.estimator).layered);
+    if (!status) {
+        markAllDirty();
+    }
+    return status;
 }
 
 } // namespace aolib

@@ -117,6 +117,7 @@ AoStatus BuildSchedule::compute(const std::vector<CubeMapProjector*>& projectors
         if (atOnce() && (begins || source_->lacks(*projector))) {
             projector->tiles.askAll();
             if (AoStatus status = complete(*projector); !status) {
+                projector->dirty = true; // some of it may be lost
                 return status;
             }
         }

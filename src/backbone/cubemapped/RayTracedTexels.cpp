@@ -291,12 +291,16 @@ AoStatus RayTracedTexels::take(CubeMapProjector& projector, const TracedTexels& 
     if (had == 0 && isRough(traced)) {
         projector.tiles.offerBlocks(tile, 1);
     }
-    const AoStatus status = upload(projector, traced, sums, tile);
+    if (AoStatus status = upload(projector, traced, sums, tile); !status) {
+        projector.tiles.setOutdated(tile); // it is added up, but not shown
+        projector.outdated = true;
+        return status;
+    }
     projector.tiles.setPasses(tile, had + 1);
     if (had + 1 >= passes()) {
         work.tiles.erase(tile);
     }
-    return status;
+    return {};
 }
 
 AoStatus RayTracedTexels::takeOutdated(CubeMapProjector& projector, const TracedTexels& traced,
@@ -306,8 +310,10 @@ AoStatus RayTracedTexels::takeOutdated(CubeMapProjector& projector, const Traced
         !add(alone, traced)) {
         return {};
     }
-    const AoStatus status = upload(projector, traced, alone, tile);
-    projector.tiles.setKnown(tile);
+    AoStatus status = upload(projector, traced, alone, tile);
+    if (status) {
+        projector.tiles.setKnown(tile);
+    }
     return status;
 }
 
@@ -323,11 +329,11 @@ AoStatus RayTracedTexels::takeDetail(CubeMapProjector& projector, const TracedTe
     }
     const auto block = projector.blockOf(store_, blocks_, tile);
     if (!block) {
+        work.details.erase(tile);
         if (store_.spare() > 0) {
             return block.status();
         }
         projector.tiles.refuseBlock(tile); // what the face keeps has to do
-        work.details.erase(tile);
         return {};
     }
     const TexelCodes codes = encodeTexels(traced, sums.sum, sums.rays, projector.depthCode());

@@ -2,6 +2,7 @@
 // CheckSnippets.cmake compares.
 #include <iostream>
 #include <utility>
+#include <vector>
 
 #include <aolib/aolib.h>
 
@@ -10,6 +11,21 @@
 using aolib::TextureName;
 
 void drawFace(const aolib::FaceView& face); // by the host: view, projection; depth is enough
+
+struct View {
+    std::uint32_t number;
+    int x, y, width, height;
+    glm::mat4 view, projection;
+};
+void glViewport(int x, int y, int width, int height);
+void draw(const View& view);
+void drawBar(float progress);
+bool userGaveUp();
+
+bool showProgress(float progress) { // 0 to 1; false cancels
+    drawBar(progress);
+    return !userGaveUp();
+}
 
 void report(const aolib::AoStatus& status) {
     std::cerr << status.message() << '\n';
@@ -30,6 +46,8 @@ struct Host {
     void overManyFrames();
     void rays();
     void listen();
+    void severalViews(const std::vector<View>& views);
+    void loadingScreen(const std::vector<glm::vec3>& positions);
     void trust();
 };
 
@@ -52,6 +70,18 @@ void Host::rays() {
     if (tracer) {
         ao->setTexelTracer(std::move(*tracer)); // Estimator::Automatic, the default, takes it
     }
+}
+
+void Host::severalViews(const std::vector<View>& views) {
+    for (const View& v : views) {
+        glViewport(v.x, v.y, v.width, v.height);
+        draw(v);
+        ao->aoShade(v.view, v.projection, aolib::ViewId{v.number});
+    }
+}
+
+void Host::loadingScreen(const std::vector<glm::vec3>& positions) {
+    ao->prepare(showProgress, positions); // places cube maps there and computes them whole
 }
 
 void Host::trust() {

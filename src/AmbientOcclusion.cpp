@@ -36,7 +36,7 @@ Result<AmbientOcclusion> AmbientOcclusion::create(const ProcAddressLoader& loade
     }
     auto impl = std::make_unique<Impl>(*functions);
     impl->options = options;
-    impl->enforce();
+    impl->resolveOptions();
     AoStatus status = impl->contexts.found();
     if (status) {
         status = impl->onCleanSlate([&](const gl::StateGuard& /*guard*/) { return impl->build(); });
@@ -63,7 +63,7 @@ AoStatus AmbientOcclusion::Impl::build() {
 }
 
 void AmbientOcclusion::abandon() {
-    if (impl_->report(impl_->allowed())) {
+    if (impl_->report(impl_->checkNotInCallback())) {
         impl_->contexts.abandon();
         impl_->drawing = false;
     }
@@ -76,7 +76,7 @@ const Options& AmbientOcclusion::options() const {
 }
 
 AoStatus AmbientOcclusion::setOptions(const Options& options) {
-    AoStatus status = impl_->allowed();
+    AoStatus status = impl_->checkNotInCallback();
     if (status) {
         status = checkOptions(options);
     }
@@ -84,23 +84,23 @@ AoStatus AmbientOcclusion::setOptions(const Options& options) {
         return impl_->report(std::move(status));
     }
     const Options before = std::exchange(impl_->options, options);
-    const Options beforeInForce = impl_->inForce;
-    impl_->enforce();
+    const EffectiveOptions effectiveBefore = impl_->effective;
+    impl_->resolveOptions();
     if (before.backbone == options.backbone) {
         const gl::ContextScope scope(impl_->contexts); // elsewhere, what is dropped waits
-        impl_->backbone->optionsChanged(beforeInForce);
+        impl_->backbone->optionsChanged(effectiveBefore.get());
         return {};
     }
     status = impl_->onCleanSlate([&](const gl::StateGuard& /*guard*/) { return impl_->build(); });
     if (!status) {
         impl_->options = before;
-        impl_->inForce = beforeInForce;
+        impl_->effective = effectiveBefore;
     }
     return impl_->report(std::move(status));
 }
 
 void AmbientOcclusion::setTexelTracer(std::unique_ptr<AbstractTexelTracer> tracer) {
-    if (!impl_->report(impl_->allowed())) {
+    if (!impl_->report(impl_->checkNotInCallback())) {
         return;
     }
     const gl::ContextScope scope(impl_->contexts); // elsewhere, what is dropped waits
@@ -163,7 +163,7 @@ AoStatus AmbientOcclusion::removeMesh(MeshId id) {
 
 AoStatus AmbientOcclusion::setSceneRenderer(SceneRenderer renderer, const glm::vec3& min,
                                             const glm::vec3& max) {
-    if (AoStatus status = impl_->allowed(); !status) {
+    if (AoStatus status = impl_->checkNotInCallback(); !status) {
         return impl_->report(std::move(status));
     }
     if (!renderer) {
@@ -205,21 +205,27 @@ Result<CubeMapId> AmbientOcclusion::addCubeMap(const glm::vec3& position) {
             AoStatus(StatusCode::InvalidPosition, "the position of a cube map must be finite"));
     }
     return impl_->report(
-        impl_->guarded([&](AbstractBackbone& to) { return to.addCubeMap(position); }));
+        impl_->withCubeMaps([&](BackboneCubemapped& to) { return to.addCubeMap(position); }));
 }
 
 AoStatus AmbientOcclusion::removeCubeMap(CubeMapId id) {
     return impl_->report(
-        impl_->guarded([&](AbstractBackbone& to) { return to.removeCubeMap(id); }));
+        impl_->withCubeMaps([&](BackboneCubemapped& to) { return to.removeCubeMap(id); }));
 }
 
 AoStatus AmbientOcclusion::clear() {
-    return impl_->report(impl_->guarded([&](AbstractBackbone& to) { return to.clear(); }));
+    return impl_->report(impl_->guarded([&](AbstractBackbone& to) {
+        if (BackboneCubemapped* cubemapped = to.cubemapped()) {
+            cubemapped->clear();
+        }
+        return AoStatus();
+    }));
 }
 
 std::vector<CubeMapInfo> AmbientOcclusion::cubeMaps() const {
     const gl::ContextScope scope(impl_->contexts); // elsewhere, times stay as they were
-    return impl_->backbone->cubeMaps();
+    BackboneCubemapped* cubemapped = impl_->backbone->cubemapped();
+    return cubemapped != nullptr ? cubemapped->cubeMaps() : std::vector<CubeMapInfo>();
 }
 
 // ---- Frame --------------------------------------------------------------------------------------
@@ -229,7 +235,7 @@ AoStatus AmbientOcclusion::aoSetCamera(const glm::mat4& view, const glm::mat4& p
 }
 
 AoStatus AmbientOcclusion::aoDrawBegin() {
-    if (AoStatus status = impl_->allowed(); !status) {
+    if (AoStatus status = impl_->checkNotInCallback(); !status) {
         return impl_->report(std::move(status));
     }
     if (impl_->drawing) {
@@ -245,7 +251,7 @@ AoStatus AmbientOcclusion::aoDrawBegin() {
 }
 
 AoStatus AmbientOcclusion::aoDrawEnd(float x, float y, float z, ViewId id) {
-    if (AoStatus status = impl_->allowed(); !status) {
+    if (AoStatus status = impl_->checkNotInCallback(); !status) {
         return impl_->report(std::move(status));
     }
     if (!impl_->drawing) {
@@ -288,14 +294,14 @@ AoStatus AmbientOcclusion::Impl::drawEnd(const glm::vec3& position, ViewId id) {
             return status;
         }
         frame->view = id;
-        followChoice();
+        updateOptions();
         return backbone->drawEnd(*frame);
     });
 }
 
 Result<TextureName> AmbientOcclusion::aoApply(const HostTextures& textures,
                                               const glm::vec3& position, ViewId id) {
-    if (AoStatus status = impl_->allowed(); !status) {
+    if (AoStatus status = impl_->checkNotInCallback(); !status) {
         return impl_->report(std::move(status));
     }
     return impl_->report(impl_->apply(textures, position, id));
@@ -310,7 +316,7 @@ Result<TextureName> AmbientOcclusion::Impl::apply(const HostTextures& textures,
         }
         frame->srgb = guard.hostSrgb();
         frame->view = id;
-        followChoice();
+        updateOptions();
         return backbone->apply(*frame, textures);
     });
 }
@@ -320,14 +326,14 @@ Result<TextureName> AmbientOcclusion::Impl::apply(const HostTextures& textures,
 Statistics AmbientOcclusion::statistics() const {
     const gl::ContextScope scope(impl_->contexts); // elsewhere, times stay as they were
     Statistics statistics = impl_->backbone->statistics();
-    statistics.estimator = impl_->inForce.estimator;
+    statistics.estimator = impl_->effective.get().estimator;
     return statistics;
 }
 
 Statistics AmbientOcclusion::statistics(ViewId id) const {
     const gl::ContextScope scope(impl_->contexts);
     Statistics statistics = impl_->backbone->statistics(id);
-    statistics.estimator = impl_->inForce.estimator;
+    statistics.estimator = impl_->effective.get().estimator;
     return statistics;
 }
 
@@ -341,7 +347,8 @@ Result<VisibilityImage> AmbientOcclusion::readVisibility() {
 }
 
 Result<CubeMapImage> AmbientOcclusion::readCubeMap(CubeMapId id) {
-    return impl_->report(impl_->guarded([&](AbstractBackbone& to) { return to.readCubeMap(id); }));
+    return impl_->report(
+        impl_->withCubeMaps([&](BackboneCubemapped& to) { return to.readCubeMap(id); }));
 }
 
 const AoStatus& AmbientOcclusion::lastStatus() const {

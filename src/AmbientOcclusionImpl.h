@@ -5,9 +5,9 @@
 
 #include <aolib/AmbientOcclusion.h>
 
+#include "EffectiveOptions.h"
 #include "HostView.h"
-#include "backbone/AbstractBackbone.h"
-#include "backbone/Estimators.h"
+#include "backbone/cubemapped/BackboneCubemapped.h"
 #include "gl/ContextGroup.h"
 #include "gl/StateGuard.h"
 #include "scene/SceneBuilder.h"
@@ -37,7 +37,7 @@ struct AmbientOcclusion::Impl {
     gl::Functions gl;
     gl::ContextGroup contexts{gl}; ///< outlives all that holds GL objects
     Options options;               ///< as the host gave them
-    Options inForce;               ///< the same, with an estimator in place of Estimator::Automatic
+    EffectiveOptions effective;    ///< the same, with nothing left to choose
     Scene scene;
     SceneBuilder builder;
     gl::VertexArray generated;
@@ -50,7 +50,7 @@ struct AmbientOcclusion::Impl {
     AoStatus lastStatus;
     MessageSink sink;
 
-    BackboneContext context() { return {gl, generated, scene, inForce, tracer, renderer}; }
+    BackboneContext context() { return {gl, generated, scene, effective.get(), tracer, renderer}; }
 
     AoStatus report(AoStatus status) {
         if (!status) {
@@ -67,24 +67,24 @@ struct AmbientOcclusion::Impl {
         return result;
     }
 
-    /// Puts options into force, with the estimator that suits the scene and the tracer as they are.
-    void enforce() {
-        inForce = options;
+    /// Resolves the options for the scene and the tracer as they are.
+    void resolveOptions() {
         gl.debugGroups = options.debugGroups;
         gl.trusted = options.trust;
-        inForce.estimator = chosenEstimator(options, scene, tracer != nullptr);
+        effective.resolve(options, scene, tracer != nullptr);
     }
-    /// Before the backbone works: the scene or the tracer may call for another estimator by now.
-    void followChoice() {
-        const Options before = inForce;
-        enforce();
-        if (before.estimator != inForce.estimator) {
+    /// Resolves the options before the backbone works: the scene or the tracer may call for another
+    /// estimator by now.
+    void updateOptions() {
+        const Options before = effective.get();
+        resolveOptions();
+        if (before.estimator != effective.get().estimator) {
             backbone->optionsChanged(before);
         }
     }
 
-    /// Ok, but within a callback of the host's.
-    AoStatus allowed() const {
+    /// Errors: InvalidCallOrder within a callback of the host's.
+    AoStatus checkNotInCallback() const {
         return rendering ? AoStatus(StatusCode::InvalidCallOrder,
                                     "not allowed within a callback of the same instance")
                          : AoStatus();
@@ -108,19 +108,33 @@ struct AmbientOcclusion::Impl {
     /// code and finds the host's state.
     template <typename Call>
     auto guarded(Call call) -> decltype(call(*backbone)) {
-        if (AoStatus status = allowed(); !status) {
+        if (AoStatus status = checkNotInCallback(); !status) {
             return status;
         }
         return onCleanSlate([&](const gl::StateGuard& /*guard*/) -> decltype(call(*backbone)) {
-            followChoice();
+            updateOptions();
             return call(*backbone);
+        });
+    }
+
+    /// A guarded call to the strategy that keeps cube maps. Errors: InvalidCallOrder for others.
+    template <typename Call>
+    auto withCubeMaps(Call call) -> decltype(call(std::declval<BackboneCubemapped&>())) {
+        return guarded([&](AbstractBackbone& to) -> decltype(call(*to.cubemapped())) {
+            BackboneCubemapped* cubemapped = to.cubemapped();
+            if (cubemapped == nullptr) {
+                return AoStatus(StatusCode::InvalidCallOrder,
+                                "this backbone keeps no cube maps; set Options::backbone to "
+                                "Backbone::Cubemapped first");
+            }
+            return call(*cubemapped);
         });
     }
 
     /// Builds the backbone that the options name. Errors: as AmbientOcclusion::create().
     AoStatus build();
     AoStatus prepare(const ProgressCallback& callback, std::span<const glm::vec3> positions);
-    AoStatus tell(const ProgressCallback& callback, float progress);
+    AoStatus report(const ProgressCallback& callback, float progress);
     AoStatus drawEnd(const glm::vec3& position, ViewId id);
     Result<TextureName> apply(const HostTextures& textures, const glm::vec3& position, ViewId id);
 };

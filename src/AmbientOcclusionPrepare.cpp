@@ -29,25 +29,25 @@ AoStatus AmbientOcclusion::Impl::prepare(const ProgressCallback& callback,
         return {StatusCode::InvalidPosition, "the position of a cube map must be finite"};
     }
     if (AoStatus status =
-            guarded([&](AbstractBackbone& to) { return to.beginPreparing(positions); });
+            withCubeMaps([&](BackboneCubemapped& to) { return to.beginPreparing(positions); });
         !status) {
         return status;
     }
     for (float progress = 0.0F; progress < 1.0F;) {
-        const auto done = guarded(
-            [](AbstractBackbone& to) { return to.goOnPreparing(kMillisecondsPerProgress); });
+        const auto done = withCubeMaps(
+            [](BackboneCubemapped& to) { return to.goOnPreparing(kMillisecondsPerProgress); });
         if (!done) {
             return done.status();
         }
         progress = *done;
-        if (AoStatus status = tell(callback, progress); !status) {
+        if (AoStatus status = report(callback, progress); !status) {
             return status;
         }
     }
     return {};
 }
 
-AoStatus AmbientOcclusion::Impl::tell(const ProgressCallback& callback, float progress) {
+AoStatus AmbientOcclusion::Impl::report(const ProgressCallback& callback, float progress) {
     const Flag running(rendering);
     try {
         if (!callback || callback(progress)) {

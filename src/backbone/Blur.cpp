@@ -22,32 +22,35 @@ Result<Blur> Blur::create(const BackboneContext& context) {
     return blur;
 }
 
-AoStatus Blur::apply(const BackboneContext& context, const Frame& frame,
-                     const GeometryBuffer& geometry, const gl::RenderToTexture2D& projected,
-                     int size, gl::RenderToTexture2D& rows, const gl::RenderToTexture2D& target) {
+AoStatus Blur::apply(const FrameContext& context, const GeometryBuffer& geometry,
+                     const gl::RenderToTexture2D& projected, int size, BlurredPictures& into) {
     const gl::DebugGroup group(context.gl, "aolib: blur");
-    if (AoStatus status =
-            rows.become(context.gl, {.width = frame.size.x,
-                                     .height = frame.size.y,
-                                     .targets = {gl::RenderToTexture2D::Format::RG32F},
-                                     .label = "aolib/frame/rows"});
-        !status) {
+    const auto makeTarget = [&](gl::RenderToTexture2D& target, const char* label) {
+        return target.become(context.gl, {.width = context.frame.size.x,
+                                          .height = context.frame.size.y,
+                                          .targets = {gl::RenderToTexture2D::Format::RG32F},
+                                          .label = label});
+    };
+    if (AoStatus status = makeTarget(into.visibility, "aolib/frame/visibility"); !status) {
         return status;
     }
-    const auto draw = [&](gl::GLSLShader& shader, const gl::RenderToTexture2D& into) {
-        into.begin(0);
+    if (AoStatus status = makeTarget(into.rows, "aolib/frame/rows"); !status) {
+        return status;
+    }
+    const auto draw = [&](gl::GLSLShader& shader, const gl::RenderToTexture2D& target) {
+        target.begin(0);
         shader.bind();
-        geometry.bind(shader, frame, 0, 1);
+        geometry.bind(shader, context.frame, 0, 1);
         projected.bindTexture(0, 2);
         shader.set("uVisibility", 2);
         shader.set("uHalfSize", size / 2);
         context.generated.drawFullscreen();
     };
-    draw(rows_, rows);
-    rows.bindTexture(0, 3);
+    draw(rows_, into.rows);
+    into.rows.bindTexture(0, 3);
     columns_.bind();
     columns_.set("uRows", 3);
-    draw(columns_, target);
+    draw(columns_, into.visibility);
     return {};
 }
 

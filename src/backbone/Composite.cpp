@@ -19,7 +19,8 @@ constexpr int kBlendTilesUnit = 3;
 
 } // namespace
 
-void beginHostColours(const BackboneContext& context, const Frame& frame) {
+void beginHostColours(const FrameContext& context) {
+    const Frame& frame = context.frame;
     const gl::Functions& gl = context.gl;
     gl.BindFramebuffer(GL_FRAMEBUFFER, frame.framebuffer);
     gl::setViewport(gl, frame.origin.x, frame.origin.y, frame.size.x, frame.size.y);
@@ -76,14 +77,13 @@ Result<Composite> Composite::create(const BackboneContext& context) {
     return composite;
 }
 
-AoStatus Composite::apply(const BackboneContext& context, const Frame& frame,
-                          const HostFramebuffer& host, const Inputs& inputs) {
+AoStatus Composite::apply(const FrameContext& context, const Inputs& inputs) {
     if (context.options.debugView == DebugView::Off) {
-        return blend(context, frame, host, inputs.visibility);
+        return blend(context, inputs.visibility);
     }
     const gl::DebugGroup group(context.gl, "aolib: debug view");
-    beginHostColours(context, frame);
-    show(context, frame, inputs);
+    beginHostColours(context);
+    show(context, inputs);
     endHostColours(context);
     return {};
 }
@@ -105,49 +105,46 @@ AoStatus Composite::buildSampled(const gl::Functions& gl) {
     return {};
 }
 
-AoStatus Composite::blend(const BackboneContext& context, const Frame& frame,
-                          const HostFramebuffer& host, const gl::RenderToTexture2D& visibility) {
+AoStatus Composite::blend(const FrameContext& context, const gl::RenderToTexture2D& visibility) {
     const gl::DebugGroup group(context.gl, "aolib: composite");
-    if (host.samples() != nullptr) {
+    if (context.host.samples() != nullptr) {
         if (AoStatus status = buildSampled(context.gl); !status) {
             return status;
         }
     }
     const float contrast = context.options.contrast;
-    beginHostColours(context, frame);
+    beginHostColours(context);
     beginBlend(context);
-    drawPixels(context, host, visibility, frame.origin, contrast);
-    if (host.samples() != nullptr) {
+    drawPixels(context, visibility, context.frame.origin, contrast);
+    if (context.host.samples() != nullptr) {
         GLint samples = 0; // of the colours: aoApply may be given others
         context.gl.GetIntegerv(GL_SAMPLES, &samples);
-        drawEdges(context, frame, host, visibility, frame.origin, contrast,
-                  samples == host.samples()->count());
+        drawEdges(context, visibility, context.frame.origin, contrast,
+                  samples == context.host.samples()->count());
     }
     endBlend(context);
     endHostColours(context);
     return {};
 }
 
-AoStatus Composite::writeMeans(const BackboneContext& context, const Frame& frame,
-                               const HostFramebuffer& host,
+AoStatus Composite::writeMeans(const FrameContext& context,
                                const gl::RenderToTexture2D& visibility) {
     if (AoStatus status = buildSampled(context.gl); !status) {
         return status;
     }
-    drawPixels(context, host, visibility, glm::ivec2(0), 1.0F);
-    drawEdges(context, frame, host, visibility, glm::ivec2(0), 1.0F, /*each=*/false);
+    drawPixels(context, visibility, glm::ivec2(0), 1.0F);
+    drawEdges(context, visibility, glm::ivec2(0), 1.0F, /*each=*/false);
     return {};
 }
 
-void Composite::drawPixels(const BackboneContext& context, const HostFramebuffer& host,
-                           const gl::RenderToTexture2D& visibility, const glm::ivec2& origin,
-                           float contrast) {
-    gl::GLSLShader& shader = host.samples() != nullptr ? *blendInner_ : blend_;
+void Composite::drawPixels(const FrameContext& context, const gl::RenderToTexture2D& visibility,
+                           const glm::ivec2& origin, float contrast) {
+    gl::GLSLShader& shader = context.host.samples() != nullptr ? *blendInner_ : blend_;
     shader.bind();
     visibility.bindTexture(0, kBlendedUnit);
     shader.set("uVisibility", kBlendedUnit);
-    if (host.samples() != nullptr) {
-        host.samples()->bindEdges(kBlendEdgesUnit);
+    if (context.host.samples() != nullptr) {
+        context.host.samples()->bindEdges(kBlendEdgesUnit);
         shader.set("uEdges", kBlendEdgesUnit);
     }
     shader.set("uOrigin", origin);
@@ -155,14 +152,13 @@ void Composite::drawPixels(const BackboneContext& context, const HostFramebuffer
     context.generated.drawFullscreen();
 }
 
-void Composite::drawEdges(const BackboneContext& context, const Frame& frame,
-                          const HostFramebuffer& host, const gl::RenderToTexture2D& visibility,
+void Composite::drawEdges(const FrameContext& context, const gl::RenderToTexture2D& visibility,
                           const glm::ivec2& origin, float contrast, bool each) {
-    const HostSamples& samples = *host.samples();
+    const HostSamples& samples = *context.host.samples();
     gl::GLSLShader& shader = *blendSamples_;
     shader.bind();
     samples.setUniforms(shader);
-    frame.camera.setUniforms(shader, frame.size, frame.clip);
+    context.frame.camera.setUniforms(shader, context.frame.size, context.frame.clip);
     visibility.bindTexture(0, kBlendedUnit);
     samples.bindEdges(kBlendEdgesUnit);
     samples.bindDepth(kBlendDepthUnit);
@@ -188,18 +184,19 @@ void Composite::drawEdges(const BackboneContext& context, const Frame& frame,
     }
 }
 
-void Composite::show(const BackboneContext& context, const Frame& frame, const Inputs& inputs) {
+void Composite::show(const FrameContext& context, const Inputs& inputs) {
     show_.bind();
-    inputs.geometry.bind(show_, frame, 0, 1);
+    inputs.geometry.bind(show_, context.frame, 0, 1);
     inputs.visibility.bindTexture(0, 2);
     inputs.projected.bindTexture(0, 3);
     show_.set("uVisibility", 2);
     show_.set("uProjected", 3);
-    show_.set("uOrigin", frame.origin);
+    show_.set("uOrigin", context.frame.origin);
     show_.set("uView", static_cast<int>(context.options.debugView));
-    show_.set("uRadius", inputs.radius);
+    show_.set("uRadius", context.options.radius);
     show_.set("uSceneSize", context.scene.bounds().diagonal());
-    show_.set("uEye", glm::vec3(glm::mod(frame.camera.eye(), double{inputs.radius})));
+    show_.set("uEye",
+              glm::vec3(glm::mod(context.frame.camera.eye(), double{context.options.radius})));
     context.generated.drawFullscreen();
 }
 

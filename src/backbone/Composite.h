@@ -4,6 +4,7 @@
 
 #include <aolib/Status.h>
 
+#include "backbone/FrameContext.h"
 #include "backbone/GeometryBuffer.h"
 
 namespace aolib {
@@ -18,32 +19,26 @@ public:
         const GeometryBuffer& geometry;
         const gl::RenderToTexture2D& visibility; ///< as Blur::apply() wrote it
         const gl::RenderToTexture2D& projected;  ///< before the blur
-        float radius;                            ///< world units
     };
     /// Errors: ShaderError.
-    AoStatus apply(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,
-                   const Inputs& inputs);
+    AoStatus apply(const FrameContext& context, const Inputs& inputs);
     /// Multiplies the host's colours by W: every sample by its own where the host has several.
     /// @param visibility  W; -1 for background and where nothing is known. Errors: ShaderError.
-    AoStatus blend(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,
-                   const gl::RenderToTexture2D& visibility);
+    AoStatus blend(const FrameContext& context, const gl::RenderToTexture2D& visibility);
     /// Writes W to the target that is bound, the mean of a pixel's samples, background counting as
     /// 1. Pixels that show background alone stay as they are. Errors: ShaderError.
-    AoStatus writeMeans(const BackboneContext& context, const Frame& frame,
-                        const HostFramebuffer& host, const gl::RenderToTexture2D& visibility);
+    AoStatus writeMeans(const FrameContext& context, const gl::RenderToTexture2D& visibility);
 
 private:
     AoStatus buildSampled(const gl::Functions& gl);
     /// Draws the factors of all pixels, but of those with several surfaces.
-    void drawPixels(const BackboneContext& context, const HostFramebuffer& host,
-                    const gl::RenderToTexture2D& visibility, const glm::ivec2& origin,
-                    float contrast);
+    void drawPixels(const FrameContext& context, const gl::RenderToTexture2D& visibility,
+                    const glm::ivec2& origin, float contrast);
     /// Draws the factors of pixels with several surfaces.
     /// @param each  sample by sample; else their mean
-    void drawEdges(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,
-                   const gl::RenderToTexture2D& visibility, const glm::ivec2& origin,
-                   float contrast, bool each);
-    void show(const BackboneContext& context, const Frame& frame, const Inputs& inputs);
+    void drawEdges(const FrameContext& context, const gl::RenderToTexture2D& visibility,
+                   const glm::ivec2& origin, float contrast, bool each);
+    void show(const FrameContext& context, const Inputs& inputs);
 
     gl::GLSLShader blend_;
     gl::GLSLShader show_;
@@ -52,7 +47,7 @@ private:
 };
 
 /// Directs rendering to the host's colour buffer 0 and its viewport, everything else masked off.
-void beginHostColours(const BackboneContext& context, const Frame& frame);
+void beginHostColours(const FrameContext& context);
 /// Multiplies what is drawn into the host's colours, from here to endBlend().
 void beginBlend(const BackboneContext& context);
 void endBlend(const BackboneContext& context);

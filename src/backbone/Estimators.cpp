@@ -45,27 +45,28 @@ Estimator chosenEstimator(const Options& options, const Scene& scene, bool trace
     return traceable ? Estimator::RayTraced : Estimator::LayeredIntervals;
 }
 
-float assumedThickness(const Options& options, float radius) {
+float assumedThickness(const Options& options) {
     const float wanted = options.layeredIntervals.thickness;
-    return wanted > 0.0F ? wanted : kThicknessShare * radius;
+    return wanted > 0.0F ? wanted : kThicknessShare * options.radius;
 }
 
-void setEstimatorUniforms(gl::GLSLShader& shader, const Options& options, float radius) {
-    shader.set("uRadius", radius);
+void setEstimatorUniforms(gl::GLSLShader& shader, const Options& options) {
+    shader.set("uRadius", options.radius);
     shader.set("uFalloff", static_cast<int>(options.falloff));
     if (options.estimator == Estimator::LayeredIntervals) {
         const LayeredIntervalsOptions& layered = options.layeredIntervals;
         shader.set("uSlices", layered.slices);
         shader.set("uSliceStride", strideOf(layered.slices));
         shader.set("uSteps", layered.steps);
-        shader.set("uThickness", assumedThickness(options, radius));
+        shader.set("uThickness", assumedThickness(options));
         return;
     }
     const HorizonSplitOptions& split = options.horizonSplit;
     shader.set("uDirections", split.directions);
     shader.set("uSteps", split.steps);
-    shader.set("uStepSize",
-               split.stepSize > 0.0F ? split.stepSize : radius / static_cast<float>(split.steps));
+    shader.set("uStepSize", split.stepSize > 0.0F
+                                ? split.stepSize
+                                : options.radius / static_cast<float>(split.steps));
 }
 
 bool sameEstimate(const Options& a, const Options& b) {

@@ -20,13 +20,11 @@ EstimatorTraits traitsOf(Estimator estimator);
 /// @param tracer  whether the host gave one.
 Estimator chosenEstimator(const Options& options, const Scene& scene, bool tracer);
 
-/// Share of the scene's diagonal that a derived radius has (thesis 4.3.2 derives likewise).
-inline constexpr float kRadiusShare = 0.1F;
 /// Depth assumed of surfaces of which nothing but the front is known, world units.
-float assumedThickness(const Options& options, float radius);
+float assumedThickness(const Options& options);
 
-/// Sets the uniforms that the estimator's shader reads. @param radius  in force, world units.
-void setEstimatorUniforms(gl::GLSLShader& shader, const Options& options, float radius);
+/// Sets the uniforms that the estimator's shader reads.
+void setEstimatorUniforms(gl::GLSLShader& shader, const Options& options);
 
 /// Whether two sets of options give the same estimate, but for the radius.
 bool sameEstimate(const Options& a, const Options& b);

@@ -15,19 +15,18 @@ Result<GeometryPass> GeometryPass::create(const BackboneContext& context) {
     return pass;
 }
 
-AoStatus GeometryPass::update(const BackboneContext& context, const Frame& frame,
-                              const HostFramebuffer& host, GeometryBuffer& buffer) {
+AoStatus GeometryPass::update(const FrameContext& context, GeometryBuffer& buffer) {
     using Format = gl::RenderToTexture2D::Format;
     const gl::DebugGroup group(context.gl, "aolib: geometry buffer");
     gl::RenderToTexture2D& target = buffer.target_;
-    if (AoStatus status = target.become(context.gl, {.width = frame.size.x,
-                                                     .height = frame.size.y,
+    if (AoStatus status = target.become(context.gl, {.width = context.frame.size.x,
+                                                     .height = context.frame.size.y,
                                                      .targets = {Format::R32F, Format::RG16F},
                                                      .label = "aolib/frame/geometry"});
         !status) {
         return status;
     }
-    if (frame.hostNormals && !withNormals_) {
+    if (context.frame.hostNormals && !withNormals_) {
         auto shader = buildShader(context.gl, "fullscreen.vert", "frame/geometry_buffer.frag",
                                   {"AO_HOST_NORMALS"});
         if (!shader) {
@@ -35,17 +34,17 @@ AoStatus GeometryPass::update(const BackboneContext& context, const Frame& frame
         }
         withNormals_ = std::move(*shader);
     }
-    gl::GLSLShader& shader = frame.hostNormals ? *withNormals_ : shader_;
+    gl::GLSLShader& shader = context.frame.hostNormals ? *withNormals_ : shader_;
     target.beginAll();
-    host.bindDepth(0);
+    context.host.bindDepth(0);
     shader.bind();
     shader.set("uDepth", 0);
-    if (frame.hostNormals) {
-        host.bindNormals(1);
+    if (context.frame.hostNormals) {
+        context.host.bindNormals(1);
         shader.set("uHostNormals", 1);
-        shader.set("uNormalCode", host.normalCode());
+        shader.set("uNormalCode", context.host.normalCode());
     }
-    frame.camera.setUniforms(shader, frame.size, frame.clip);
+    context.frame.camera.setUniforms(shader, context.frame.size, context.frame.clip);
     context.generated.drawFullscreen();
     return {};
 }

@@ -4,7 +4,7 @@
 
 #include <aolib/Status.h>
 
-#include "backbone/HostFramebuffer.h"
+#include "backbone/FrameContext.h"
 #include "gl/GLSLShader.h"
 
 namespace aolib {
@@ -29,8 +29,7 @@ public:
     static Result<GeometryPass> create(const BackboneContext& context);
     /// Rebuilds a buffer from the host's depth. Errors: OutOfMemory, MissingCapability,
     /// ShaderError.
-    AoStatus update(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,
-                    GeometryBuffer& buffer);
+    AoStatus update(const FrameContext& context, GeometryBuffer& buffer);
 
 private:
     gl::GLSLShader shader_;

@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "backbone/AppliedTextures.h"
+#include "backbone/Blur.h"
 #include "backbone/Frame.h"
 #include "backbone/GeometryBuffer.h"
-#include "gl/RenderToTexture2D.h"
 
 namespace aolib {
 
@@ -30,8 +30,7 @@ struct ViewState {
 
     /// GPU memory of all of it.
     virtual std::size_t bytes() const {
-        return host.bytes() + geometry.bytes() + applied.bytes() +
-               (blurredRows ? blurredRows.bytes() : 0) + (visibility ? visibility.bytes() : 0);
+        return host.bytes() + geometry.bytes() + applied.bytes() + blurred.bytes();
     }
     /// Whether nothing is left to compute for it.
     virtual bool converged() const { return true; }
@@ -41,12 +40,11 @@ struct ViewState {
     std::uint64_t drawn = 0;    ///< number of the latest frame, of all views' frames
 
     HostFramebuffer host;
-    GeometryBuffer geometry;           ///< of frames that are not shaded directly
-    gl::RenderToTexture2D blurredRows; ///< likewise
-    gl::RenderToTexture2D visibility;  ///< W (-1 background), shaded; size of the frame
+    GeometryBuffer geometry; ///< of frames that are not shaded directly
+    BlurredPictures blurred; ///< likewise
     AppliedTextures applied;
     std::optional<Frame> latest; ///< its depth is still in `host`
-    bool buffered = false;       ///< `visibility` belongs to the latest frame
+    bool buffered = false;       ///< `blurred` belongs to the latest frame
 };
 
 } // namespace aolib

@@ -13,12 +13,8 @@ namespace aolib {
 
 /// A frame that shows what the one before has shown, its cube maps complete.
 struct RestingView {
-    const BackboneContext& context;
-    const Frame& frame;
-    const HostFramebuffer& host;
-    KeptTexels kept;
-    const std::vector<CubeMapProjector*>& projectors; ///< that are projected onto it
-    float radius;                                     ///< reach of occluders, world units
+    const FrameContext& context;
+    const ProjectedCubeMaps& cubeMaps;
 };
 
 /// What computes pixels of a view at rest, each by itself.

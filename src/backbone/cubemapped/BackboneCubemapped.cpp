@@ -4,24 +4,12 @@
 #include <string>
 #include <utility>
 
-#include <glm/geometric.hpp>
-
 #include "backbone/Estimators.h"
 #include "backbone/cubemapped/Placement.h"
-#include "shared/falloff.h"
 
 namespace aolib {
 
 namespace {
-
-template <typename Part>
-AoStatus make(std::optional<Part>& part, const BackboneContext& context) {
-    Result<Part> created = Part::create(context);
-    if (created) {
-        part = std::move(*created);
-    }
-    return created.status();
-}
 
 /// Said of what is not prepared, at most.
 constexpr float kAlmostPrepared = 0.99F;
@@ -38,24 +26,49 @@ AoStatus unknown(CubeMapId id) {
 
 } // namespace
 
+Result<CubeMapPasses> CubeMapPasses::create(const BackboneContext& context) {
+    auto projection = Projection::create(context);
+    if (!projection) {
+        return projection.status();
+    }
+    auto fallback = Fallback::create(context);
+    if (!fallback) {
+        return fallback.status();
+    }
+    auto survey = Survey::create(context);
+    if (!survey) {
+        return survey.status();
+    }
+    auto outlines = CubeMapOutlines::create(context);
+    if (!outlines) {
+        return outlines.status();
+    }
+    return CubeMapPasses{std::move(*projection), std::move(*fallback), std::move(*survey),
+                         std::move(*outlines)};
+}
+
+BackboneCubemapped::BackboneCubemapped(const BackboneContext& context, FramePasses passes,
+                                       CubeMapPasses cubeMapPasses)
+    : AbstractBackbone(context, std::move(passes)), cubeMapPasses_(std::move(cubeMapPasses)),
+      cubeMaps_(context, [this](CubeMapProjector& one) { beforeRemoval(one); }),
+      schedule_(context, sceneGeometry_, cubeMaps_.store(), cubeMaps_.blocks()) {}
+
 Result<std::unique_ptr<AbstractBackbone>>
 BackboneCubemapped::create(const BackboneContext& context) {
-    std::unique_ptr<BackboneCubemapped> backbone(new BackboneCubemapped(context));
-    AoStatus status = backbone->initialise();
-    const auto then = [&](auto& part) {
-        if (status) {
-            status = make(part, context);
-        }
-    };
-    then(backbone->projection_);
-    then(backbone->fallback_);
-    then(backbone->survey_);
-    then(backbone->outlines_);
-    if (status && context.options.estimator != Estimator::RayTraced) {
-        status = backbone->schedule_.chooseSource(); // fails here rather than in a frame
+    auto passes = FramePasses::create(context);
+    if (!passes) {
+        return passes.status();
     }
-    if (!status) {
-        return status;
+    auto cubeMapPasses = CubeMapPasses::create(context);
+    if (!cubeMapPasses) {
+        return cubeMapPasses.status();
+    }
+    std::unique_ptr<BackboneCubemapped> backbone(
+        new BackboneCubemapped(context, std::move(*passes), std::move(*cubeMapPasses)));
+    if (context.options.estimator != Estimator::RayTraced) { // fails here rather than in a frame
+        if (AoStatus status = backbone->schedule_.chooseSource(); !status) {
+            return status;
+        }
     }
     return std::unique_ptr<AbstractBackbone>(std::move(backbone));
 }
@@ -67,7 +80,7 @@ Result<CubeMapId> BackboneCubemapped::addCubeMap(const glm::vec3& position) {
         return noScene();
     }
     cubeMaps_.followOptions();
-    if (AoStatus status = followScene(); !status) {
+    if (AoStatus status = updateScene(); !status) {
         return status;
     }
     if (AoStatus status = cubeMaps_.makeRoomAtOnce(); !status) {
@@ -98,7 +111,7 @@ AoStatus BackboneCubemapped::beginPreparing(std::span<const glm::vec3> positions
     }
     prepared_ = 0.0F;
     cubeMaps_.followOptions();
-    if (AoStatus status = followScene(); !status) {
+    if (AoStatus status = updateScene(); !status) {
         return status;
     }
     std::vector<CubeMapProjector*> placed;
@@ -140,7 +153,7 @@ std::vector<CubeMapProjector*> BackboneCubemapped::placedByHand() const {
 
 Result<float> BackboneCubemapped::goOnPreparing(double milliseconds) {
     const std::vector<CubeMapProjector*> placed = placedByHand();
-    if (AoStatus status = followScene(); !status) {
+    if (AoStatus status = updateScene(); !status) {
         return status;
     }
     const auto complete = schedule_.completeSome(placed, milliseconds);
@@ -161,11 +174,10 @@ AoStatus BackboneCubemapped::removeCubeMap(CubeMapId id) {
     return {};
 }
 
-AoStatus BackboneCubemapped::clear() {
+void BackboneCubemapped::clear() {
     while (!cubeMaps_.all().empty()) {
         cubeMaps_.remove(*cubeMaps_.all().back());
     }
-    return {};
 }
 
 std::vector<CubeMapInfo> BackboneCubemapped::cubeMaps() {
@@ -184,7 +196,7 @@ Result<CubeMapImage> BackboneCubemapped::readCubeMap(CubeMapId id) {
     return projector->read(context_.gl, cubeMaps_.store());
 }
 
-void BackboneCubemapped::cubeMapGoes(CubeMapProjector& projector) {
+void BackboneCubemapped::beforeRemoval(CubeMapProjector& projector) {
     schedule_.forget(projector.id());
     forEachView([&](CubemappedView& one) { one.cubeMapGoes(projector); });
     cubeMapsChanged();
@@ -232,34 +244,6 @@ void BackboneCubemapped::optionsChanged(const Options& before) {
         markAllOutdated();
         restartViews();
     }
-}
-
-AoStatus BackboneCubemapped::followScene() {
-    const std::vector<Scene::Change> changes = context_.scene.takeChanges();
-    if (!changes.empty()) { // noted before anything may fail: they will not come again
-        // Receivers up to that far away from a change see a difference.
-        const float within =
-            shared::occluderReach(static_cast<int>(context_.options.falloff), radius());
-        schedule_.sceneChanged(cubeMaps_.all(), changes, within);
-        const bool texels = std::ranges::any_of(
-            cubeMaps_.all(), [](const auto& one) { return one->outdated || one->dirty; });
-        forEachView([&](CubemappedView& one) { one.sceneChanged(changes, within, texels); });
-    }
-    if (const float inForce = radius(); inForce != builtRadius_) {
-        builtRadius_ = inForce;
-        markAllOutdated();
-        restartViews();
-    }
-    if (context_.options.estimator == Estimator::RayTraced) {
-        sceneGeometry_.forget(changes); // rays need no triangles on the GPU
-        return {};
-    }
-    AoStatus status = sceneGeometry_.update(context_.gl, context_.scene, changes,
-                                            traitsOf(context_.options.estimator).layered);
-    if (!status) {
-        markAllDirty();
-    }
-    return status;
 }
 
 } // namespace aolib

@@ -15,6 +15,17 @@
 
 namespace aolib {
 
+/// The passes of a frame with cube maps.
+struct CubeMapPasses {
+    /// Errors: ShaderError, OutOfMemory.
+    static Result<CubeMapPasses> create(const BackboneContext& context);
+
+    Projection projection;
+    Fallback fallback;
+    Survey survey;
+    CubeMapOutlines outlines;
+};
+
 /// Ambient occlusion computed once per cube map, kept, and projected onto every later frame: the
 /// thesis's strategy. Cube maps are placed by hand or by coverage; those that see a change of the
 /// scene are computed again. With a frame budget that goes on over many frames, and only for what
@@ -23,100 +34,99 @@ class BackboneCubemapped final : public AbstractBackbone {
 public:
     /// Errors: ShaderError, OutOfMemory.
     static Result<std::unique_ptr<AbstractBackbone>> create(const BackboneContext& context);
-    /// Views go before what they hold on to.
+    /// Views go before what they refer to.
     ~BackboneCubemapped() override { dropSources(); }
 
     void optionsChanged(const Options& before) override;
     void dropTracer() override;
     void rendererChanged() override { markAllDirty(); }
-    Result<CubeMapId> addCubeMap(const glm::vec3& position) override;
-    AoStatus beginPreparing(std::span<const glm::vec3> positions) override;
-    Result<float> goOnPreparing(double milliseconds) override;
-    AoStatus removeCubeMap(CubeMapId id) override;
-    AoStatus clear() override;
-    std::vector<CubeMapInfo> cubeMaps() override;
-    Result<CubeMapImage> readCubeMap(CubeMapId id) override;
+    BackboneCubemapped* cubemapped() override { return this; }
+
+    // ---- Cube maps. Errors: as the calls of AmbientOcclusion.
+
+    Result<CubeMapId> addCubeMap(const glm::vec3& position);
+    /// Places cube maps, unless some stand there already; those placed by hand are to be computed.
+    AoStatus beginPreparing(std::span<const glm::vec3> positions);
+    /// Computes them for about as long. @return share that is computed; 1 when all are complete
+    Result<float> goOnPreparing(double milliseconds);
+    AoStatus removeCubeMap(CubeMapId id);
+    void clear();
+    std::vector<CubeMapInfo> cubeMaps();
+    Result<CubeMapImage> readCubeMap(CubeMapId id);
 
 private:
-    explicit BackboneCubemapped(const BackboneContext& context)
-        : AbstractBackbone(context),
-          cubeMaps_(context, [this](CubeMapProjector& one) { cubeMapGoes(one); }),
-          schedule_(context, sceneGeometry_, cubeMaps_.store(), cubeMaps_.blocks(),
-                    [this] { return radius(); }) {}
+    BackboneCubemapped(const BackboneContext& context, FramePasses passes,
+                       CubeMapPasses cubeMapPasses);
 
-    AoStatus prepare(const Frame& frame) override;
-    bool shadesDirectly() const override;
-    AoStatus shadeDirectly(const Frame& frame) override;
-    Result<const gl::RenderToTexture2D*> computeVisibility(const Frame& frame) override;
-    void fillIn(const Frame& frame, const gl::RenderToTexture2D& projected,
-                const gl::RenderToTexture2D& visibility) override;
-    bool noisy() const override;
-    AoStatus finishFrame(const Frame& frame) override;
+    // ---- A frame, in order (BackboneCubemappedFrame.cpp)
+
+    AoStatus drawFrame(const FrameContext& context) override;
+    AoStatus computeVisibility(const FrameContext& context) override;
+    CubemappedView& beginFrame(const FrameContext& context);
+    /// Uploads what changed in the scene, and marks the cube maps that see it.
+    AoStatus updateScene();
+    /// Chooses the cube maps that the view uses.
+    void chooseCubeMaps(const FrameContext& context, CubemappedView& view);
+    /// Applies what the feedback pass found: coverage, usefulness, and the tiles that are needed.
+    void applyFeedback(CubemappedView& view);
+    /// Evicts cube maps where memory is short, and places one where coverage falls short.
+    AoStatus placeCubeMap(const FrameContext& context, CubemappedView& view);
+    /// Computes what the view's cube maps lack, within the budget.
+    AoStatus computeTexels(CubemappedView& view);
+    /// Computes pixels of a view at rest whose cube maps are complete.
+    AoStatus refineStaticView(const FrameContext& context, CubemappedView& view);
+    AoStatus drawVisibility(const FrameContext& context, CubemappedView& view);
+    AoStatus issueFeedback(const FrameContext& context, CubemappedView& view);
+
     void addStatistics(Statistics& statistics, const ViewState* view) override;
     std::unique_ptr<ViewState> makeView() override;
 
-    /// Follows the scene: uploads, and marks the cube maps that see a change.
-    AoStatus followScene();
     void markAllDirty();
-    /// All is to be computed again, and shown until it is.
+    /// Marks all tiles as outdated; what they hold is shown until it is replaced.
     void markAllOutdated();
     void cubeMapsChanged();
-    /// What is asked about the scene has changed.
+    /// Restarts the refinement of all views: the estimate has changed.
     void restartViews();
-    /// Reach of occluders, world units; beyond every scene where there is no end to it.
-    float reach();
-    /// One is about to go.
-    void cubeMapGoes(CubeMapProjector& projector);
-    /// Places a cube map; there is room for it.
+    void beforeRemoval(CubeMapProjector& projector);
+    /// Places a cube map, for which there must be room.
     Result<CubeMapId> place(const glm::vec3& position, bool byHand);
-    /// Places a cube map at the camera if one is due.
-    AoStatus placeWhereDue(const Frame& frame);
-    /// Takes the survey's answers: coverage, and what cube maps are asked for.
-    void heedSurvey(CubemappedView& view);
-    /// Where the frame is seen from, for cube maps to stand.
-    glm::vec3 standpoint(const Frame& frame) const;
-    /// The cube maps of the current view and, after them, of others that are drawn.
-    std::vector<CubeMapProjector*> wanted() const;
-    /// Whether the view's cube maps are complete, as far as it asks for them.
-    bool complete(CubemappedView& view);
-    /// Computes what the view's cube maps lack, as much as the budget allows.
-    AoStatus computeTexels(CubemappedView& view);
+    /// The cube maps of a view and, after them, those of other views that are drawn.
+    std::vector<CubeMapProjector*> wanted(const CubemappedView& view) const;
+    /// Whether a view's cube maps are complete, as far as it asks for them.
+    bool complete(const CubemappedView& view) const;
     /// Share of the passes that cube maps need and have had.
     float shareComputed(const std::vector<CubeMapProjector*>& projectors) const;
+    /// Position of the cube map that a view lacks, world units; none where it lacks none.
+    std::optional<glm::vec3> positionWhereDue(const FrameContext& context,
+                                              const CubemappedView& view) const;
     std::vector<CubeMapProjector*> placedByHand() const;
     /// Places the one that prepare() asks for. @return null where one stands already
     Result<CubeMapProjector*> placeToPrepare(const glm::vec3& position);
-    /// Computes pixels of a view at rest whose cube maps are complete.
-    void repair(const Frame& frame);
-    KeptTexels kept();
-    CubemappedView& seen() const { return static_cast<CubemappedView&>(view()); }
+    ProjectedCubeMaps projected(const CubemappedView& view) const;
+    CubemappedView& currentView() const { return static_cast<CubemappedView&>(view()); }
     template <typename Call>
     void forEachView(const Call& call) const {
         for (const auto& one : views_.all()) {
             call(static_cast<CubemappedView&>(*one));
         }
     }
-    /// Whoever computes pixels is about to go.
+    /// Drops what computes pixels of views at rest.
     void dropSources() const {
         forEachView([](CubemappedView& one) { one.repair.dropSource(); });
     }
-    /// Whether what no cube map knows is shaded by what is in sight.
-    bool fallsBack() const;
-    /// Whether W goes into a texture before it is blended.
-    bool tells() const { return fallsBack() || seen().host.samples() != nullptr; }
+    bool needsFallback(const CubemappedView& view) const;
+    /// Whether W is written to a texture before it is blended.
+    bool needsTexture(const CubemappedView& view) const {
+        return needsFallback(view) || view.host.samples() != nullptr;
+    }
+    bool blurs() const;
 
+    CubeMapPasses cubeMapPasses_;
     SceneGeometry sceneGeometry_;
     CubeMaps cubeMaps_;
     BuildSchedule schedule_;
-    std::optional<Projection> projection_;
-    std::optional<Fallback> fallback_;
-    std::optional<Survey> survey_;
-    std::optional<CubeMapOutlines> outlines_;
-
-    float builtRadius_ = 0.0F; ///< that the cube maps which are not dirty were built with
-
-    float prepared_ = 0.0F;    ///< of what is prepared, so far
-    std::uint64_t frames_ = 0; ///< ended, of all views
+    float builtRadius_ = 0.0F; ///< of the cube maps that are not dirty, world units
+    float prepared_ = 0.0F;    ///< share of what is prepared
 };
 
 } // namespace aolib

@@ -1,7 +1,8 @@
-// A frame of the strategy: what BackboneCubemapped does between the host's depth and its picture.
+// A frame with cube maps, from the host's depth to its picture.
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include "backbone/Estimators.h"
@@ -12,55 +13,138 @@
 
 namespace aolib {
 
-glm::vec3 BackboneCubemapped::standpoint(const Frame& frame) const {
-    return Placement::standpoint(frame, context_.scene.bounds(),
-                                 context_.options.cubeMaps.faceSize);
+namespace {
+
+/// Where cube maps are placed for a frame, world units.
+glm::vec3 standpoint(const FrameContext& context) {
+    return Placement::standpoint(context.frame, context.scene.bounds(),
+                                 context.options.cubeMaps.faceSize);
 }
 
-AoStatus BackboneCubemapped::placeWhereDue(const Frame& frame) {
-    const CubeMapOptions& options = context_.options.cubeMaps;
-    if (!options.place || context_.scene.empty()) {
+} // namespace
+
+AoStatus BackboneCubemapped::drawFrame(const FrameContext& context) {
+    CubemappedView& view = beginFrame(context);
+    if (AoStatus status = updateScene(); !status) {
+        return status;
+    }
+    chooseCubeMaps(context, view);
+    applyFeedback(view);
+    if (AoStatus status = placeCubeMap(context, view); !status) {
+        return status;
+    }
+    if (AoStatus status = computeTexels(view); !status) {
+        return status;
+    }
+    const AoStatus refined = refineStaticView(context, view);
+    if (AoStatus status = drawVisibility(context, view); !status) {
+        return status;
+    }
+    const AoStatus issued = issueFeedback(context, view);
+    if (context.options.cubeMaps.outlines) {
+        cubeMapPasses_.outlines.draw(context, view.used);
+    }
+    return issued ? refined : issued; // the picture is complete without either
+}
+
+CubemappedView& BackboneCubemapped::beginFrame(const FrameContext& context) {
+    CubemappedView& view = currentView();
+    schedule_.beginFrame();
+    view.follow(context.frame, frameNumber());
+    view.projected.clear();
+    cubeMaps_.followOptions();
+    return view;
+}
+
+AoStatus BackboneCubemapped::updateScene() {
+    const std::vector<Scene::Change> changes = context_.scene.takeChanges();
+    const Options& options = context_.options;
+    if (!changes.empty()) { // noted before anything may fail: they will not come again
+        // Receivers up to that far away from a change see a difference.
+        const float within =
+            shared::occluderReach(static_cast<int>(options.falloff), options.radius);
+        schedule_.sceneChanged(cubeMaps_.all(), changes, within);
+        const bool texels = std::ranges::any_of(
+            cubeMaps_.all(), [](const auto& one) { return one->outdated || one->dirty; });
+        forEachView([&](CubemappedView& one) { one.sceneChanged(changes, within, texels); });
+    }
+    if (options.radius != builtRadius_) {
+        builtRadius_ = options.radius;
+        markAllOutdated();
+        restartViews();
+    }
+    if (options.estimator == Estimator::RayTraced) {
+        sceneGeometry_.forget(changes); // rays need no triangles on the GPU
+        return {};
+    }
+    AoStatus status = sceneGeometry_.update(context_.gl, context_.scene, changes,
+                                            traitsOf(options.estimator).layered);
+    if (!status) {
+        markAllDirty();
+    }
+    return status;
+}
+
+void BackboneCubemapped::chooseCubeMaps(const FrameContext& context, CubemappedView& view) {
+    view.used = cubeMaps_.nearest(standpoint(context));
+}
+
+void BackboneCubemapped::applyFeedback(CubemappedView& view) {
+    auto answer = view.surveys.poll();
+    if (!answer) {
+        if (view.framesToSurvey() > 1) { // no new feedback: the last usage shares count again
+            Eviction::follow(cubeMaps_.all(), view.feedback.best);
+        }
+        return;
+    }
+    Eviction::follow(cubeMaps_.all(), answer->best);
+    const RequestedTiles requested =
+        requestTiles(view.used, *answer, cubeMaps_.blocks(), schedule_.passes(), view.asked);
+    view.coverageToCome = requested.coverage;
+    view.missing = requested.missing;
+    view.feedback = std::move(*answer);
+    view.feedbackIsCurrent = true;
+}
+
+AoStatus BackboneCubemapped::placeCubeMap(const FrameContext& context, CubemappedView& view) {
+    cubeMaps_.evictWhereDue(wanted(view), schedule_.atOnce());
+    chooseCubeMaps(context, view);
+    const std::optional<glm::vec3> position = positionWhereDue(context, view);
+    if (position && cubeMaps_.makeRoom(Eviction::For::Newcomer, wanted(view), schedule_.atOnce())) {
+        if (const auto placed = place(*position, /*byHand=*/false); !placed) {
+            return placed.status();
+        }
+    }
+    chooseCubeMaps(context, view);
+    return {};
+}
+
+std::optional<glm::vec3> BackboneCubemapped::positionWhereDue(const FrameContext& context,
+                                                              const CubemappedView& view) const {
+    const CubeMapOptions& options = context.options.cubeMaps;
+    if (!options.place || context.scene.empty()) {
         return {};
     }
     std::vector<glm::vec3> positions;
     for (const auto& projector : cubeMaps_.all()) {
         positions.push_back(projector->position());
     }
-    const CubemappedView& of = seen();
-    const float size = context_.scene.bounds().diagonal();
-    glm::vec3 at = standpoint(frame);
-    bool due = Placement::due(of.coverageToCome, options.coverage, at, positions, size);
-    if (!due && of.missing && frame.camera.orthographic()) {
-        at = Placement::across(frame.camera, at, *of.missing);
-        due = Placement::due(of.coverageToCome, options.coverage, at, positions, size);
+    const float size = context.scene.bounds().diagonal();
+    const glm::vec3 at = standpoint(context);
+    if (Placement::due(view.coverageToCome, options.coverage, at, positions, size)) {
+        return at;
     }
-    if (!due) {
-        return {};
-    }
-    return cubeMaps_.makeRoom(Eviction::For::Newcomer, wanted(), schedule_.atOnce())
-               ? place(at, /*byHand=*/false).status()
-               : AoStatus();
-}
-
-void BackboneCubemapped::heedSurvey(CubemappedView& of) {
-    auto answer = of.surveys.poll();
-    if (!answer) {
-        if (of.framesToSurvey() > 1) { // another would have said about the same
-            Eviction::follow(cubeMaps_.all(), of.latestSurvey->best);
+    if (view.missing && context.frame.camera.orthographic()) {
+        const glm::vec3 across = Placement::across(context.frame.camera, at, *view.missing);
+        if (Placement::due(view.coverageToCome, options.coverage, across, positions, size)) {
+            return across;
         }
-        return;
     }
-    Eviction::follow(cubeMaps_.all(), answer->best);
-    const RequestedTiles requested =
-        requestTiles(of.used, *answer, cubeMaps_.blocks(), schedule_.passes(), of.asked);
-    of.coverageToCome = requested.coverage;
-    of.missing = requested.missing;
-    of.shownSurvey = *answer;
-    of.latestSurvey = std::move(answer);
+    return {};
 }
 
-std::vector<CubeMapProjector*> BackboneCubemapped::wanted() const {
-    std::vector<CubeMapProjector*> list = seen().used;
+std::vector<CubeMapProjector*> BackboneCubemapped::wanted(const CubemappedView& view) const {
+    std::vector<CubeMapProjector*> list = view.used;
     if (schedule_.atOnce()) {
         return list; // the others in the calls that need them
     }
@@ -74,38 +158,13 @@ std::vector<CubeMapProjector*> BackboneCubemapped::wanted() const {
     return list;
 }
 
-AoStatus BackboneCubemapped::prepare(const Frame& frame) {
-    CubemappedView& of = seen();
-    schedule_.beginFrame();
-    of.follow(frame, frames_ + 1);
-    of.projected.clear();
-    of.repairStatus = {};
-    cubeMaps_.followOptions();
-    if (AoStatus status = followScene(); !status) {
-        return status;
+AoStatus BackboneCubemapped::computeTexels(CubemappedView& view) {
+    if (context_.scene.empty()) {
+        return {};
     }
-    const glm::vec3 from = standpoint(frame);
-    of.used = cubeMaps_.nearest(from);
-    heedSurvey(of);
-    cubeMaps_.evictWhereDue(wanted(), schedule_.atOnce());
-    of.used = cubeMaps_.nearest(from);
-    if (AoStatus status = placeWhereDue(frame); !status) {
-        return status;
-    }
-    if (!context_.scene.empty()) {
-        of.used = cubeMaps_.nearest(from);
-        if (AoStatus status = computeTexels(of); !status) {
-            return status;
-        }
-    }
-    repair(frame); // in an empty scene nothing is left to do, nor shown
-    return {};
-}
-
-AoStatus BackboneCubemapped::computeTexels(CubemappedView& of) {
-    const std::vector<CubeMapProjector*> list = wanted();
+    const std::vector<CubeMapProjector*> list = wanted(view);
     for (CubeMapProjector* projector : list) {
-        projector->tiles.setFrame(frames_);
+        projector->tiles.setFrame(frameNumber());
     }
     if (AoStatus status = schedule_.compute(list); !status) {
         return status;
@@ -113,50 +172,117 @@ AoStatus BackboneCubemapped::computeTexels(CubemappedView& of) {
     if (schedule_.begun() > 0) {
         forEachView([](CubemappedView& one) { one.cubeMapsBegun(); });
     }
-    std::ranges::copy_if(of.used, std::back_inserter(of.projected),
+    for (CubeMapProjector* projector : view.used) {
+        if (std::exchange(projector->showsMore, false)) {
+            projector->shownMoreIn = frameNumber();
+        }
+    }
+    std::ranges::copy_if(view.used, std::back_inserter(view.projected),
                          [](const auto* projector) { return projector->shown; });
     return {};
 }
 
-bool BackboneCubemapped::complete(CubemappedView& of) {
-    if (context_.scene.empty()) {
-        return true;
-    }
-    bool complete = schedule_.atOnce() || of.surveyed();
-    for (CubeMapProjector* projector : of.used) {
-        if (std::exchange(projector->showsMore, false)) {
-            projector->surveysBefore = frames_;
-        }
-        complete =
-            complete && schedule_.finished(*projector, of.asked[projector->id()]) &&
-            (of.shownSurvey.frame > projector->surveysBefore || projector->surveysBefore == 0);
-    }
-    return complete;
+bool BackboneCubemapped::complete(const CubemappedView& view) const {
+    const auto isComplete = [&](const CubeMapProjector* one) {
+        const auto asked = view.asked.find(one->id());
+        return view.feedback.frame >= one->shownMoreIn &&
+               schedule_.finished(*one, asked != view.asked.end() ? asked->second : AskedTiles());
+    };
+    return context_.scene.empty() ||
+           ((schedule_.atOnce() || view.surveyed()) && std::ranges::all_of(view.used, isComplete));
 }
 
-void BackboneCubemapped::repair(const Frame& frame) {
-    CubemappedView& of = seen();
-    of.texelsComplete = complete(of);
-    of.repair.follow(frame, of.projected.empty() ? PixelSources::Kind::None : schedule_.pixels(),
-                     [&] { return schedule_.makePixels(of.slot); });
-    if (of.texelsComplete && of.repair.rests() && !of.repair.done()) {
-        const double budget = schedule_.atOnce() ? HUGE_VAL : double{context_.options.frameBudget};
-        const RestingView resting{
-            .context = context_,
-            .frame = frame,
-            .host = of.host,
-            .kept = {.faces = cubeMaps_.store(), .blocks = cubeMaps_.blocks(), .reach = reach()},
-            .projectors = of.projected,
-            .radius = radius(),
-        };
-        of.repairStatus = of.repair.advance(resting, budget);
+AoStatus BackboneCubemapped::refineStaticView(const FrameContext& context, CubemappedView& view) {
+    view.texelsComplete = complete(view);
+    view.repair.follow(context.frame,
+                       view.projected.empty() ? PixelSources::Kind::None : schedule_.pixels(),
+                       [&] { return schedule_.makePixels(view.slot); });
+    AoStatus status;
+    if (view.texelsComplete && view.repair.rests() && !view.repair.done()) {
+        const double budget = schedule_.atOnce() ? HUGE_VAL : double{context.options.frameBudget};
+        status = view.repair.advance({context, projected(view)}, budget);
     }
-    const bool before = std::exchange(of.isConverged, of.texelsComplete && of.repair.done());
-    if (of.isConverged && !tells()) {
-        of.pictures.told = {};
+    const bool before = std::exchange(view.isConverged, view.texelsComplete && view.repair.done());
+    if (view.isConverged && !needsTexture(view)) {
+        view.pictures.told = {};
     }
-    of.convergedIn = of.isConverged && !before ? frames_ + 1 : of.convergedIn;
-    of.noteComputed(of.surveyed() || schedule_.atOnce() ? shareComputed(of.used) : 0.0F);
+    view.convergedIn = view.isConverged && !before ? frameNumber() : view.convergedIn;
+    view.noteComputed(view.surveyed() || schedule_.atOnce() ? shareComputed(view.used) : 0.0F);
+    return status;
+}
+
+AoStatus BackboneCubemapped::drawVisibility(const FrameContext& context, CubemappedView& view) {
+    const bool buffers = context.options.debugView != DebugView::Off || blurs() ||
+                         context.options.cubeMaps.projection != ProjectionMethod::SinglePass;
+    if (buffers) {
+        if (AoStatus status = computeVisibility(context); !status) {
+            return status;
+        }
+        return passes_.composite.apply(context,
+                                       {view.geometry, view.blurred.visibility, *view.latestBest});
+    }
+    if (!needsTexture(view)) {
+        return view.projected.empty()
+                   ? AoStatus()
+                   : cubeMapPasses_.projection.shade(context, projected(view), view.pictures);
+    }
+    const auto told = cubeMapPasses_.projection.tell(context, projected(view), view.pictures,
+                                                     needsFallback(view));
+    if (!told) {
+        return told.status();
+    }
+    if (needsFallback(view)) {
+        cubeMapPasses_.fallback.fillTold(context, **told);
+    }
+    return passes_.composite.blend(context, **told);
+}
+
+AoStatus BackboneCubemapped::computeVisibility(const FrameContext& context) {
+    CubemappedView& view = currentView();
+    if (AoStatus status = passes_.geometry.update(context, view.geometry); !status) {
+        return status;
+    }
+    const auto best = cubeMapPasses_.projection.apply(context, projected(view), view.pictures);
+    if (!best) {
+        return best.status();
+    }
+    view.latestBest = *best;
+    if (AoStatus status = passes_.blur.apply(context, view.geometry, **best,
+                                             blurs() ? context.options.blur.size : 1, view.blurred);
+        !status) {
+        return status;
+    }
+    if (needsFallback(view)) {
+        cubeMapPasses_.fallback.fill(context, **best, view.blurred.visibility);
+    }
+    view.buffered = true;
+    return {};
+}
+
+AoStatus BackboneCubemapped::issueFeedback(const FrameContext& context, CubemappedView& view) {
+    ++view.frames;
+    if (view.frames % view.framesToSurvey() != 0) {
+        return {};
+    }
+    return cubeMapPasses_.survey.take(context,
+                                      {cubeMaps_.store(), cubeMaps_.blocks(), view.projected},
+                                      frameNumber(), view.surveys);
+}
+
+// ---- What a frame needs to be known
+// --------------------------------------------------------------
+
+ProjectedCubeMaps BackboneCubemapped::projected(const CubemappedView& view) const {
+    return {cubeMaps_.store(), cubeMaps_.blocks(), view.projected, view.repair.repaired()};
+}
+
+bool BackboneCubemapped::blurs() const {
+    return context_.options.blur.enabled && context_.options.estimator == Estimator::HorizonSplit;
+}
+
+bool BackboneCubemapped::needsFallback(const CubemappedView& view) const {
+    const bool any = !view.projected.empty();
+    return Fallback::due(context_, any ? view.feedback.shaded : 0.0F, any && schedule_.atOnce());
 }
 
 float BackboneCubemapped::shareComputed(const std::vector<CubeMapProjector*>& projectors) const {
@@ -168,75 +294,6 @@ float BackboneCubemapped::shareComputed(const std::vector<CubeMapProjector*>& pr
         sum.needed += share.needed;
     }
     return sum.needed > 0 ? static_cast<float>(sum.done) / static_cast<float>(sum.needed) : 0.0F;
-}
-
-float BackboneCubemapped::reach() {
-    return context_.options.falloff == Falloff::Off ? shared::kEndless : radius();
-}
-
-KeptTexels BackboneCubemapped::kept() {
-    return {cubeMaps_.store(), cubeMaps_.blocks(), reach(), seen().repair.repaired()};
-}
-
-bool BackboneCubemapped::shadesDirectly() const {
-    return context_.options.cubeMaps.projection == ProjectionMethod::SinglePass &&
-           !(context_.options.blur.enabled && noisy());
-}
-
-bool BackboneCubemapped::noisy() const {
-    return context_.options.estimator == Estimator::HorizonSplit;
-}
-
-bool BackboneCubemapped::fallsBack() const {
-    const CubemappedView& of = seen();
-    const bool any = !of.projected.empty();
-    return Fallback::due(context_, any ? of.shownSurvey.shaded : 0.0F, any && schedule_.atOnce());
-}
-
-AoStatus BackboneCubemapped::shadeDirectly(const Frame& frame) {
-    CubemappedView& of = seen();
-    if (!tells()) {
-        return of.projected.empty() ? AoStatus()
-                                    : projection_->shade(context_, frame, of.host, kept(),
-                                                         of.projected, of.pictures);
-    }
-    const auto told =
-        projection_->tell(context_, frame, of.host, kept(), of.projected, of.pictures, fallsBack());
-    if (!told) {
-        return told.status();
-    }
-    if (fallsBack()) {
-        fallback_->fillTold(context_, frame, of.host, **told, radius());
-    }
-    return composite_.blend(context_, frame, of.host, **told);
-}
-
-void BackboneCubemapped::fillIn(const Frame& frame, const gl::RenderToTexture2D& projected,
-                                const gl::RenderToTexture2D& visibility) {
-    if (fallsBack()) {
-        fallback_->fill(context_, frame, seen().host, projected, radius(), visibility);
-    }
-}
-
-Result<const gl::RenderToTexture2D*> BackboneCubemapped::computeVisibility(const Frame& frame) {
-    CubemappedView& of = seen();
-    return projection_->apply(context_, frame, of.host, kept(), of.projected, of.pictures);
-}
-
-AoStatus BackboneCubemapped::finishFrame(const Frame& frame) {
-    CubemappedView& of = seen();
-    ++frames_;
-    ++of.frames;
-    AoStatus status;
-    if (of.frames % of.framesToSurvey() == 0) {
-        status = survey_->take(context_, frame, of.host,
-                               {cubeMaps_.store(), cubeMaps_.blocks(), reach()}, of.projected,
-                               frames_, of.surveys);
-    }
-    if (context_.options.cubeMaps.outlines) {
-        outlines_->draw(context_, frame, of.used);
-    }
-    return status ? of.repairStatus : status; // the picture is as good as without it
 }
 
 std::unique_ptr<ViewState> BackboneCubemapped::makeView() {
@@ -260,9 +317,9 @@ void BackboneCubemapped::addStatistics(Statistics& statistics, const ViewState* 
         return;
     }
     const auto& of = static_cast<const CubemappedView&>(*view);
-    statistics.coverage = of.shownSurvey.shaded;
-    statistics.geometryShare = of.shownSurvey.surfaces;
-    statistics.coverageFrame = of.shownSurvey.frame;
+    statistics.coverage = of.feedback.shaded;
+    statistics.geometryShare = of.feedback.surfaces;
+    statistics.coverageFrame = of.feedback.frame;
     statistics.cubeMapsProjected = static_cast<int>(of.projected.size());
     statistics.converged = of.isConverged;
     statistics.pixelsRepaired = of.repair.pixels();

@@ -41,11 +41,10 @@ AoStatus BuildSchedule::chooseTexels() {
         if (!traced_) {
             traced_ = std::make_unique<RayTracedTexels>(context_, store_, blocks_, *tracerQueue_);
         }
-        traced_->setRadius(radius_());
         source_ = traced_.get();
     } else {
         if (!raster_) {
-            auto raster = RasterTexels::create(context_, geometry_, store_, blocks_, radius_);
+            auto raster = RasterTexels::create(context_, geometry_, store_, blocks_);
             if (!raster) {
                 return raster.status();
             }

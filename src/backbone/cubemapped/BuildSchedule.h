@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -15,11 +14,11 @@ namespace aolib {
 /// much in a frame as the budget allows.
 class BuildSchedule {
 public:
-    /// @param radius  asks for the reach of occluders, world units. All others outlive it.
+    /// All outlive it.
     BuildSchedule(const BackboneContext& context, const SceneGeometry& geometry, FaceStore& store,
-                  BlockStore& blocks, std::function<float()> radius)
+                  BlockStore& blocks)
         : context_(context), geometry_(geometry), store_(store), blocks_(blocks),
-          radius_(std::move(radius)), pixelSources_(context, geometry) {}
+          pixelSources_(context, geometry) {}
 
     /// Makes the sources that the options' estimator takes its texels and pixels from.
     /// Errors: ShaderError, OutOfMemory, MissingCapability.
@@ -73,7 +72,6 @@ private:
     const SceneGeometry& geometry_;
     FaceStore& store_;
     BlockStore& blocks_;
-    std::function<float()> radius_;
     std::unique_ptr<RasterTexels> raster_;
     std::unique_ptr<TracerQueue> tracerQueue_;
     std::unique_ptr<RayTracedTexels> traced_;

@@ -28,27 +28,27 @@ Result<CubeMapOutlines> CubeMapOutlines::create(const BackboneContext& context) 
     return outlines;
 }
 
-void CubeMapOutlines::draw(const BackboneContext& context, const Frame& frame,
+void CubeMapOutlines::draw(const FrameContext& context,
                            const std::vector<CubeMapProjector*>& projectors) {
     const gl::Functions& gl = context.gl;
     const gl::DebugGroup group(gl, "aolib: cube map outlines");
-    beginHostColours(context, frame);
+    beginHostColours(context);
     gl.Enable(GL_DEPTH_TEST);
-    const bool rangeReversed = frame.clip.depthRange[0] > frame.clip.depthRange[1];
-    gl.DepthFunc(frame.camera.reversedDepth() != rangeReversed ? GL_GEQUAL : GL_LEQUAL);
+    const bool rangeReversed = context.frame.clip.depthRange[0] > context.frame.clip.depthRange[1];
+    gl.DepthFunc(context.frame.camera.reversedDepth() != rangeReversed ? GL_GEQUAL : GL_LEQUAL);
     gl.DepthMask(GL_FALSE);
-    gl::setDepthRange(gl, frame.clip.depthRange[0], frame.clip.depthRange[1]);
+    gl::setDepthRange(gl, context.frame.clip.depthRange[0], context.frame.clip.depthRange[1]);
     if (gl.capabilities.clipControl) {
-        gl.ClipControl(frame.clip.upperLeft ? GL_UPPER_LEFT : GL_LOWER_LEFT,
-                       frame.clip.zeroToOne ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE);
+        gl.ClipControl(context.frame.clip.upperLeft ? GL_UPPER_LEFT : GL_LOWER_LEFT,
+                       context.frame.clip.zeroToOne ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE);
     }
     shader_.bind();
     shader_.set("uHalfEdge", kHalfEdge * context.scene.bounds().diagonal());
     shader_.set("uColour", kColour);
-    const glm::dmat4 eyeToClip =
-        frame.camera.projection() * glm::dmat4(glm::inverse(frame.camera.eyeToWorld()));
+    const glm::dmat4 eyeToClip = context.frame.camera.projection() *
+                                 glm::dmat4(glm::inverse(context.frame.camera.eyeToWorld()));
     for (const CubeMapProjector* projector : projectors) {
-        const glm::dvec3 offset = glm::dvec3(projector->position()) - frame.camera.eye();
+        const glm::dvec3 offset = glm::dvec3(projector->position()) - context.frame.camera.eye();
         shader_.set("uCubeToClip", glm::mat4(eyeToClip * glm::translate(glm::dmat4(1.0), offset)));
         context.generated.drawGenerated(GL_LINES, kEdgeVertices);
     }

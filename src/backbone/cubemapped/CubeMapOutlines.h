@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "backbone/FrameContext.h"
 #include "backbone/cubemapped/CubeMapProjector.h"
 
 namespace aolib {
@@ -11,8 +12,7 @@ class CubeMapOutlines {
 public:
     /// Errors: ShaderError.
     static Result<CubeMapOutlines> create(const BackboneContext& context);
-    void draw(const BackboneContext& context, const Frame& frame,
-              const std::vector<CubeMapProjector*>& projectors);
+    void draw(const FrameContext& context, const std::vector<CubeMapProjector*>& projectors);
 
 private:
     gl::GLSLShader shader_;

@@ -91,7 +91,7 @@ public:
     TileProgress tiles;
     /// It shows more than before: surveys so far do not tell what it still hides.
     bool showsMore = false;
-    std::uint64_t surveysBefore = 0; ///< number of the latest survey when it last showed more
+    std::uint64_t shownMoreIn = 0; ///< number of the frame in which it last showed more
     /// What is kept, or on its way, is of no use: compute all of it before the next use.
     bool dirty = true;
     /// Some of its tiles are outdated: compute these again as soon as what is on its way allows.

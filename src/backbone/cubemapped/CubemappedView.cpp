@@ -17,7 +17,7 @@ constexpr float kAlmost = 0.99F;
 
 void CubemappedView::cubeMapsChanged() {
     surveys.restart();
-    latestSurvey.reset();
+    feedbackIsCurrent = false;
     coverageToCome.reset();
     missing.reset();
     cubeMapsBegun();
@@ -57,15 +57,15 @@ void CubemappedView::follow(const Frame& frame, std::uint64_t number) {
 }
 
 bool CubemappedView::nothingToSurvey() const {
-    return isConverged && latestSurvey && latestSurvey->frame >= convergedIn &&
-           latestSurvey->frame >= restsSince;
+    return isConverged && feedbackIsCurrent && feedback.frame >= convergedIn &&
+           feedback.frame >= restsSince;
 }
 
 std::uint64_t CubemappedView::framesToSurvey() const {
     if (nothingToSurvey()) {
         return kSurveyEveryAtRest;
     }
-    return latestSurvey && !repair.rests() ? kSurveyEveryMoving : 1;
+    return feedbackIsCurrent && !repair.rests() ? kSurveyEveryMoving : 1;
 }
 
 void CubemappedView::noteComputed(float share) {

@@ -38,7 +38,7 @@ struct CubemappedView final : ViewState {
     /// @param number  of the frame, when it has ended
     void follow(const Frame& frame, std::uint64_t number);
     /// Whether a survey has looked at what the latest frame shows.
-    bool surveyed() const { return shownSurvey.frame > 0 && shownSurvey.frame >= restsSince; }
+    bool surveyed() const { return feedback.frame > 0 && feedback.frame >= restsSince; }
     /// The latest survey saw this view, as it is now that nothing is left to compute.
     bool nothingToSurvey() const;
     /// From one survey to the next, frames of this view.
@@ -48,12 +48,13 @@ struct CubemappedView final : ViewState {
 
     const unsigned slot; ///< in the tracer's queue, which no other view has
     ViewRepair repair;
-    AoStatus repairStatus; ///< of the latest frame
     ProjectedPictures pictures;
+    /// What computeVisibility() projected last, of `pictures`; null before the first.
+    const gl::RenderToTexture2D* latestBest = nullptr;
 
     PendingSurveys surveys;
-    std::optional<SurveyAnswer> latestSurvey; ///< of the cube maps as they are
-    SurveyAnswer shownSurvey;                 ///< the latest that has arrived
+    SurveyAnswer feedback;          ///< the latest that has arrived; frame 0 before the first
+    bool feedbackIsCurrent = false; ///< no cube map has come or gone since
     /// Share of the surfaces that are shaded, or may be by what is on its way.
     std::optional<float> coverageToCome;
     std::optional<glm::vec3> missing; ///< a surface that is not, world units

@@ -163,7 +163,7 @@ AoStatus DeferredShading::step(const BackboneContext& context, CubeMapCapture& c
 // ---- Texels -------------------------------------------------------------------------------------
 
 void DeferredShading::addPasses(const BackboneContext& context, const CubeMapCapture& capture,
-                                float radius, const Receivers& receivers, int first, int count) {
+                                const Receivers& receivers, int first, int count) {
     const gl::DebugGroup group(context.gl, "aolib: texels of a cube map");
     visibility_.bind();
     capture.geometry->bind(visibility_);
@@ -172,7 +172,7 @@ void DeferredShading::addPasses(const BackboneContext& context, const CubeMapCap
     visibility_.set("uFaceOrigin", receivers.origin);
     visibility_.set("uFirstSlice", first);
     visibility_.set("uSliceCount", count);
-    setEstimatorUniforms(visibility_, context.options, radius);
+    setEstimatorUniforms(visibility_, context.options);
     gl::beginBlending(context.gl, GL_ONE, GL_ONE, GL_ONE, GL_ONE);
     context.generated.drawFullscreen();
     gl::endBlending(context.gl);
@@ -199,12 +199,11 @@ void DeferredShading::keep(const BackboneContext& context, const CubeMapCapture&
 }
 
 void DeferredShading::accumulate(const BackboneContext& context, const CubeMapCapture& capture,
-                                 float radius, const TileProgress::Region& region, int first,
-                                 int count) {
+                                 const TileProgress::Region& region, int first, int count) {
     const glm::ivec2 origin(region.face * capture.accumulated.height(), 0);
     capture.accumulated.begin(0);
     gl::setViewport(context.gl, origin.x + region.x, region.y, region.width, region.height);
-    addPasses(context, capture, radius, {region.face, 0, origin}, first, count);
+    addPasses(context, capture, {region.face, 0, origin}, first, count);
 }
 
 void DeferredShading::resolve(const BackboneContext& context, const CubeMapCapture& capture,
@@ -217,8 +216,8 @@ void DeferredShading::resolve(const BackboneContext& context, const CubeMapCaptu
 }
 
 AoStatus DeferredShading::accumulateBehind(const BackboneContext& context, CubeMapCapture& capture,
-                                           float radius, const TileProgress::Region& region,
-                                           int layer, int pass) {
+                                           const TileProgress::Region& region, int layer,
+                                           int pass) {
     constexpr int kEdge = TileProgress::kTile + 2 * kApron;
     if (AoStatus status =
             capture.behind.become(context.gl, {.width = kEdge,
@@ -233,7 +232,7 @@ AoStatus DeferredShading::accumulateBehind(const BackboneContext& context, CubeM
         const std::array<GLfloat, 4> nothing{};
         context.gl.ClearBufferfv(GL_COLOR, 0, nothing.data());
     }
-    addPasses(context, capture, radius, {region.face, layer, behindOrigin(region)}, pass, 1);
+    addPasses(context, capture, {region.face, layer, behindOrigin(region)}, pass, 1);
     return {};
 }
 

@@ -56,8 +56,7 @@ public:
     static AoStatus step(const BackboneContext& context, CubeMapCapture& capture,
                          CubeMapProjector& projector, FaceStore& store);
     /// Adds passes [first, first + count) to the texels of a region.
-    /// @param radius  reach of occluders, world units.
-    void accumulate(const BackboneContext& context, const CubeMapCapture& capture, float radius,
+    void accumulate(const BackboneContext& context, const CubeMapCapture& capture,
                     const TileProgress::Region& region, int first, int count);
     /// Writes what has been found of a region to the store. @param share  of all passes it has had
     void resolve(const BackboneContext& context, const CubeMapCapture& capture,
@@ -66,7 +65,7 @@ public:
 
     /// A pass over the surfaces of a tile that lie behind `layer` others, from pass 0 to the last
     /// one before those of another tile or layer. Errors: OutOfMemory, MissingCapability.
-    AoStatus accumulateBehind(const BackboneContext& context, CubeMapCapture& capture, float radius,
+    AoStatus accumulateBehind(const BackboneContext& context, CubeMapCapture& capture,
                               const TileProgress::Region& region, int layer, int pass);
     /// Writes what all passes have found of them to a block.
     void resolveBehind(const BackboneContext& context, const CubeMapCapture& capture,
@@ -80,7 +79,7 @@ private:
         int layer;         ///< of surfaces, 0 is the first
         glm::ivec2 origin; ///< where the face's first texel would lie in what accumulates
     };
-    void addPasses(const BackboneContext& context, const CubeMapCapture& capture, float radius,
+    void addPasses(const BackboneContext& context, const CubeMapCapture& capture,
                    const Receivers& receivers, int first, int count);
     void keep(const BackboneContext& context, const CubeMapCapture& capture,
               const CubeMapProjector& projector, const Receivers& receivers,

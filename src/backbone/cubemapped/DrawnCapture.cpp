@@ -35,12 +35,6 @@ FaceView viewOf(const glm::vec3& centre, int face, int size, const DistanceRange
     return view;
 }
 
-float thickness(const BackboneContext& context) {
-    const float wanted = context.options.radius;
-    return assumedThickness(
-        context.options, wanted > 0.0F ? wanted : kRadiusShare * context.scene.bounds().diagonal());
-}
-
 } // namespace
 
 AoStatus DrawnCapture::Shaders::build(const BackboneContext& context, bool asIntervals) {
@@ -144,7 +138,7 @@ AoStatus DrawnCapture::convertFace(const FaceView& view) {
     shader_.set("uDepth", 0);
     shader_.set("uOrigin", origin);
     if (asIntervals_) {
-        shader_.set("uThickness", thickness(context_));
+        shader_.set("uThickness", assumedThickness(context_.options));
     }
     camera->setUniforms(shader_, view.size, {.depthQuantum = kDepthQuantum});
     context_.generated.drawFullscreen();

@@ -39,26 +39,24 @@ Result<Fallback> Fallback::create(const BackboneContext& context) {
     return fallback;
 }
 
-void Fallback::bind(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,
-                    float radius) {
+void Fallback::bind(const FrameContext& context) {
     visibility_.bind();
-    host.bindDepth(kDepthUnit);
+    context.host.bindDepth(kDepthUnit);
     visibility_.set("uDepth", kDepthUnit);
-    frame.camera.setUniforms(visibility_, frame.size, frame.clip);
+    context.frame.camera.setUniforms(visibility_, context.frame.size, context.frame.clip);
     const float thickness = context.options.layeredIntervals.thickness;
-    visibility_.set("uThickness", thickness > 0.0F ? thickness : kThicknessShare * radius);
-    visibility_.set("uRadius", radius);
+    visibility_.set("uThickness",
+                    thickness > 0.0F ? thickness : kThicknessShare * context.options.radius);
+    visibility_.set("uRadius", context.options.radius);
     visibility_.set("uFalloff", static_cast<int>(context.options.falloff));
     visibility_.set("uSides", kSides);
     visibility_.set("uSteps", kSteps);
 }
 
-void Fallback::fillTold(const BackboneContext& context, const Frame& frame,
-                        const HostFramebuffer& host, const gl::RenderToTexture2D& told,
-                        float radius) {
+void Fallback::fillTold(const FrameContext& context, const gl::RenderToTexture2D& told) {
     const gl::Functions& gl = context.gl;
     const gl::DebugGroup group(gl, "aolib: shade what no cube map knows");
-    bind(context, frame, host, radius);
+    bind(context);
     visibility_.set("uTold", kDepthUnit); // not read
     visibility_.set("uByTold", 0);
     told.begin(0);
@@ -67,11 +65,10 @@ void Fallback::fillTold(const BackboneContext& context, const Frame& frame,
     gl.Disable(GL_DEPTH_TEST);
 }
 
-void Fallback::fill(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,
-                    const gl::RenderToTexture2D& projected, float radius,
+void Fallback::fill(const FrameContext& context, const gl::RenderToTexture2D& projected,
                     const gl::RenderToTexture2D& visibility) {
     const gl::DebugGroup group(context.gl, "aolib: shade what no cube map knows");
-    bind(context, frame, host, radius);
+    bind(context);
     projected.bindTexture(0, kToldUnit);
     visibility_.set("uTold", kToldUnit);
     visibility_.set("uByTold", 1);

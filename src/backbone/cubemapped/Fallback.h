@@ -1,6 +1,6 @@
 #pragma once
 
-#include "backbone/HostFramebuffer.h"
+#include "backbone/FrameContext.h"
 #include "gl/GLSLShader.h"
 
 namespace aolib {
@@ -19,18 +19,14 @@ public:
 
     /// Writes W of what no cube map knows.
     /// @param told    as Projection::tell() gives it
-    /// @param radius  world units
-    void fillTold(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,
-                  const gl::RenderToTexture2D& told, float radius);
+    void fillTold(const FrameContext& context, const gl::RenderToTexture2D& told);
     /// The same into a target as Blur::apply() leaves it, as unshaded as they are.
     /// @param projected  as Projection::apply() gives it
-    void fill(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,
-              const gl::RenderToTexture2D& projected, float radius,
+    void fill(const FrameContext& context, const gl::RenderToTexture2D& projected,
               const gl::RenderToTexture2D& visibility);
 
 private:
-    void bind(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,
-              float radius);
+    void bind(const FrameContext& context);
 
     gl::GLSLShader visibility_;
 };

@@ -158,26 +158,28 @@ Result<int> LayeredPixels::step(const RestingView& view, FoundPixels& found, int
 // ---- What pixels see ----------------------------------------------------------------------------
 
 AoStatus LayeredPixels::begin(const RestingView& view) {
-    const std::int64_t pixels = std::int64_t{view.frame.size.x} * view.frame.size.y;
-    if (view.frame.camera.orthographic() ||
+    const std::int64_t pixels = std::int64_t{view.context.frame.size.x} * view.context.frame.size.y;
+    if (view.context.frame.camera.orthographic() ||
         pixels > kMostPixels) { // rays that are parallel have no centre
         stage_ = Stage::Done;
         return {};
     }
     auto around = shading_.surroundings(
-        view.context, geometry_, view.frame.camera.eye(), view.context.options.cubeMaps.faceSize,
-        ViewFace::of(view.frame.camera, view.frame.size, view.frame.clip));
+        view.context, geometry_, view.context.frame.camera.eye(),
+        view.context.options.cubeMaps.faceSize,
+        ViewFace::of(view.context.frame.camera, view.context.frame.size, view.context.frame.clip));
     if (!around) {
         return around.status();
     }
-    work_ = Work{.around = std::move(*around), .sums = {}, .tiles = tilesOf(view.frame.size)};
+    work_ =
+        Work{.around = std::move(*around), .sums = {}, .tiles = tilesOf(view.context.frame.size)};
     stage_ = Stage::Capture;
     return {};
 }
 
 AoStatus LayeredPixels::makeTargets(const RestingView& view, FoundPixels& found) {
     const gl::Functions& gl = view.context.gl;
-    const glm::ivec2& size = view.frame.size;
+    const glm::ivec2& size = view.context.frame.size;
     found.count = 0;
     if (AoStatus status = found.makeRoom(gl, size); !status) {
         return status;
@@ -206,7 +208,7 @@ int LayeredPixels::computeTile(const RestingView& view, FoundPixels& found, int 
     work_->slices += count;
     if (work_->slices == slices) {
         keep(view, found, tile);
-        const glm::ivec2 extent = glm::min(kPixelTile, view.frame.size - tile);
+        const glm::ivec2 extent = glm::min(kPixelTile, view.context.frame.size - tile);
         found.count += static_cast<std::size_t>(extent.x) * static_cast<std::size_t>(extent.y);
         work_->slices = 0;
         work_->tiles.pop_back();
@@ -220,19 +222,20 @@ int LayeredPixels::computeTile(const RestingView& view, FoundPixels& found, int 
 
 void LayeredPixels::accumulate(const RestingView& view, const glm::ivec2& tile, int first,
                                int count) {
-    const BackboneContext& context = view.context;
+    const FrameContext& context = view.context;
     const gl::Functions& gl = context.gl;
-    const glm::ivec2 extent = glm::min(kPixelTile, view.frame.size - tile);
+    const glm::ivec2 extent = glm::min(kPixelTile, view.context.frame.size - tile);
     work_->sums.begin(0);
     gl::setViewport(gl, tile.x, tile.y, extent.x, extent.y);
     shared_.visibility.bind();
     work_->around.capture->bind(shared_.visibility);
-    view.host.bindDepth(kHostDepthUnit);
+    view.context.host.bindDepth(kHostDepthUnit);
     shared_.visibility.set("uDepth", kHostDepthUnit);
-    view.frame.camera.setUniforms(shared_.visibility, view.frame.size, view.frame.clip);
+    view.context.frame.camera.setUniforms(shared_.visibility, view.context.frame.size,
+                                          view.context.frame.clip);
     shared_.visibility.set("uFirstSlice", first);
     shared_.visibility.set("uSliceCount", count);
-    setEstimatorUniforms(shared_.visibility, ofPixels(context.options), view.radius);
+    setEstimatorUniforms(shared_.visibility, ofPixels(context.options));
     gl::beginBlending(gl, GL_ONE, GL_ONE, GL_ONE, GL_ONE);
     context.generated.drawFullscreen();
     gl::endBlending(gl);
@@ -240,12 +243,12 @@ void LayeredPixels::accumulate(const RestingView& view, const glm::ivec2& tile, 
 
 void LayeredPixels::keep(const RestingView& view, const FoundPixels& found,
                          const glm::ivec2& tile) {
-    const glm::ivec2 extent = glm::min(kPixelTile, view.frame.size - tile);
+    const glm::ivec2 extent = glm::min(kPixelTile, view.context.frame.size - tile);
     found.texture()->begin(0);
     gl::setViewport(view.context.gl, tile.x, tile.y, extent.x, extent.y);
     shared_.keep.bind();
     work_->sums.bindTexture(0, kSumsUnit);
-    view.host.bindDepth(kHostDepthUnit);
+    view.context.host.bindDepth(kHostDepthUnit);
     shared_.keep.set("uSums", kSumsUnit);
     shared_.keep.set("uDepth", kHostDepthUnit);
     view.context.generated.drawFullscreen();

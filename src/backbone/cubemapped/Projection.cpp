@@ -6,6 +6,7 @@
 #include "backbone/Composite.h"
 #include "backbone/ShaderLibrary.h"
 #include "gl/Label.h"
+#include "shared/falloff.h"
 
 namespace aolib {
 
@@ -29,6 +30,13 @@ int pairOfLayers(const CubeMapProjector& projector, int face) {
     };
     return static_cast<int>(bits(face) | bits(face + 1) << 16U);
 }
+
+/// Distance up to which texels must know a surface, world units: coarser ones do not.
+float reachOfTexels(const Options& options) {
+    return options.falloff == Falloff::Off ? shared::kEndless : options.radius;
+}
+
+const std::vector<CubeMapProjector*> kNoProjectors;
 
 } // namespace
 
@@ -68,38 +76,39 @@ Result<Projection> Projection::create(const BackboneContext& context) {
     return projection;
 }
 
-gl::GLSLShader& Projection::variant(Variants& shaders, const KeptTexels& kept) {
-    return shaders[(kept.blocks.empty() ? 0U : 1U) + (kept.repaired == nullptr ? 0U : 2U)];
+gl::GLSLShader& Projection::variant(Variants& shaders, const ProjectedCubeMaps& cubeMaps) {
+    return shaders[(cubeMaps.blocks.empty() ? 0U : 1U) + (cubeMaps.refined == nullptr ? 0U : 2U)];
 }
 
-void Projection::bind(gl::GLSLShader& shader, const Frame& frame, const HostFramebuffer& host,
-                      const KeptTexels& kept, const std::vector<CubeMapProjector*>& projectors) {
+void Projection::bind(gl::GLSLShader& shader, const FrameContext& context,
+                      const ProjectedCubeMaps& cubeMaps) {
     shader.bind();
-    host.bindDepth(kDepthUnit);
+    context.host.bindDepth(kDepthUnit);
     shader.set("uDepth", kDepthUnit);
-    frame.camera.setUniforms(shader, frame.size, frame.clip);
-    shader.set("uCubes", static_cast<int>(projectors.size()));
+    context.frame.camera.setUniforms(shader, context.frame.size, context.frame.clip);
+    shader.set("uCubes", static_cast<int>(cubeMaps.list.size()));
     // Samplers of different types must not share a unit even where they are not read.
     shader.set("uCubeVisibility", kVisibilityUnit);
     shader.set("uCubeDepth", kCubeDepthUnit);
     shader.set("uPages", kPagesUnit);
     shader.set("uRepaired", kRepairedUnit);
-    if (kept.repaired != nullptr) {
-        kept.repaired->bind(kRepairedUnit);
+    if (cubeMaps.refined != nullptr) {
+        cubeMaps.refined->bind(kRepairedUnit);
     }
-    if (kept.faces.empty() || projectors.empty()) {
+    if (cubeMaps.faces.empty() || cubeMaps.list.empty()) {
         return;
     }
-    kept.faces.bind(shader, kVisibilityUnit, kCubeDepthUnit);
-    kept.faces.bindPages(shader, kPagesUnit);
-    shader.set("uReach", kept.reach);
-    shader.set("uBlockScale", kept.blocks.scale());
+    cubeMaps.faces.bind(shader, kVisibilityUnit, kCubeDepthUnit);
+    cubeMaps.faces.bindPages(shader, kPagesUnit);
+    shader.set("uReach", reachOfTexels(context.options));
+    shader.set("uBlockScale", cubeMaps.blocks.scale());
     std::vector<glm::vec4> toEye;
     std::vector<glm::vec4> codes;
     std::vector<glm::ivec4> layers;
-    for (const CubeMapProjector* projector : projectors) {
-        toEye.emplace_back(glm::vec3(frame.camera.eye() - glm::dvec3(projector->position())),
-                           std::exp2(projector->bias));
+    for (const CubeMapProjector* projector : cubeMaps.list) {
+        toEye.emplace_back(
+            glm::vec3(context.frame.camera.eye() - glm::dvec3(projector->position())),
+            std::exp2(projector->bias));
         codes.emplace_back(projector->depthCode(), 0.0F, 0.0F);
         layers.emplace_back(pairOfLayers(*projector, 0), pairOfLayers(*projector, 2),
                             pairOfLayers(*projector, 4), 0);
@@ -109,64 +118,60 @@ void Projection::bind(gl::GLSLShader& shader, const Frame& frame, const HostFram
     shader.set("uFaceLayers", layers);
 }
 
-void Projection::bindHalf(gl::GLSLShader& shader, const Frame& frame, const HostFramebuffer& host,
-                          const KeptTexels& kept, const gl::RenderToTexture2D& half) {
-    bind(shader, frame, host, kept, {});
+void Projection::bindHalf(gl::GLSLShader& shader, const FrameContext& context,
+                          const ProjectedCubeMaps& cubeMaps, const gl::RenderToTexture2D& half) {
+    bind(shader, context, {cubeMaps.faces, cubeMaps.blocks, kNoProjectors, cubeMaps.refined});
     half.bindTexture(0, kHalfUnit);
     shader.set("uHalf", kHalfUnit);
 }
 
-Result<gl::GLSLShader*> Projection::bindShade(const BackboneContext& context, const Frame& frame,
-                                              const HostFramebuffer& host, const KeptTexels& kept,
-                                              const std::vector<CubeMapProjector*>& projectors,
+Result<gl::GLSLShader*> Projection::bindShade(const FrameContext& context,
+                                              const ProjectedCubeMaps& cubeMaps,
                                               ProjectedPictures& pictures) {
-    gl::GLSLShader* shader = &variant(shade_, kept);
+    gl::GLSLShader* shader = &variant(shade_, cubeMaps);
     if (context.options.cubeMaps.halfResolution) {
-        const auto half = project(context, frame, host, kept, projectors, pictures);
+        const auto half = project(context, cubeMaps, pictures);
         if (!half) {
             return half.status();
         }
-        shader = &shadeHalf_[kept.repaired == nullptr ? 0 : 1];
-        bindHalf(*shader, frame, host, kept, **half);
+        shader = &shadeHalf_[cubeMaps.refined == nullptr ? 0 : 1];
+        bindHalf(*shader, context, cubeMaps, **half);
     } else {
-        bind(*shader, frame, host, kept, projectors);
+        bind(*shader, context, cubeMaps);
     }
     return shader;
 }
 
-AoStatus Projection::shade(const BackboneContext& context, const Frame& frame,
-                           const HostFramebuffer& host, const KeptTexels& kept,
-                           const std::vector<CubeMapProjector*>& projectors,
+AoStatus Projection::shade(const FrameContext& context, const ProjectedCubeMaps& cubeMaps,
                            ProjectedPictures& pictures) {
     const gl::DebugGroup group(context.gl, "aolib: project and blend");
-    const auto shader = bindShade(context, frame, host, kept, projectors, pictures);
+    const auto shader = bindShade(context, cubeMaps, pictures);
     if (!shader) {
         return shader.status();
     }
-    (*shader)->set("uOrigin", frame.origin);
+    (*shader)->set("uOrigin", context.frame.origin);
     (*shader)->set("uContrast", context.options.contrast);
     (*shader)->set("uKnownAlone", 0);
-    beginHostColours(context, frame);
+    beginHostColours(context);
     blendIntoHost(context);
     endHostColours(context);
     return {};
 }
 
-Result<const gl::RenderToTexture2D*>
-Projection::tell(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,
-                 const KeptTexels& kept, const std::vector<CubeMapProjector*>& projectors,
-                 ProjectedPictures& pictures, bool withDepth) {
+Result<const gl::RenderToTexture2D*> Projection::tell(const FrameContext& context,
+                                                      const ProjectedCubeMaps& cubeMaps,
+                                                      ProjectedPictures& pictures, bool withDepth) {
     const gl::DebugGroup group(context.gl, "aolib: project");
     if (AoStatus status =
-            pictures.told.become(context.gl, {.width = frame.size.x,
-                                              .height = frame.size.y,
+            pictures.told.become(context.gl, {.width = context.frame.size.x,
+                                              .height = context.frame.size.y,
                                               .targets = {gl::RenderToTexture2D::Format::R32F},
                                               .depth = gl::RenderToTexture2D::Depth::Depth16,
                                               .label = "aolib/frame/told"});
         !status) {
         return status;
     }
-    const auto shader = bindShade(context, frame, host, kept, projectors, pictures);
+    const auto shader = bindShade(context, cubeMaps, pictures);
     if (!shader) {
         return shader.status();
     }
@@ -197,16 +202,15 @@ AoStatus Projection::prepare(const BackboneContext& context, const glm::ivec2& s
                                       .label = "aolib/frame/best"});
 }
 
-Result<const gl::RenderToTexture2D*>
-Projection::project(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,
-                    const KeptTexels& kept, const std::vector<CubeMapProjector*>& projectors,
-                    ProjectedPictures& pictures) {
-    const int cubes = static_cast<int>(projectors.size());
+Result<const gl::RenderToTexture2D*> Projection::project(const FrameContext& context,
+                                                         const ProjectedCubeMaps& cubeMaps,
+                                                         ProjectedPictures& pictures) {
+    const int cubes = static_cast<int>(cubeMaps.list.size());
     const int stride = context.options.cubeMaps.halfResolution ? 2 : 1;
     const bool single = context.options.cubeMaps.projection == ProjectionMethod::SinglePass;
     const int perPass = single ? std::max(cubes, 1) : 1;
     for (gl::RenderToTexture2D& target : pictures.best) {
-        if (AoStatus status = prepare(context, (frame.size + stride - 1) / stride, target);
+        if (AoStatus status = prepare(context, (context.frame.size + stride - 1) / stride, target);
             !status) {
             return status;
         }
@@ -214,8 +218,8 @@ Projection::project(const BackboneContext& context, const Frame& frame, const Ho
             break;
         }
     }
-    gl::GLSLShader& shader = variant(project_, kept);
-    bind(shader, frame, host, kept, projectors);
+    gl::GLSLShader& shader = variant(project_, cubeMaps);
+    bind(shader, context, cubeMaps);
     shader.set("uBest", kBestUnit);
     shader.set("uStride", stride);
     const gl::RenderToTexture2D* best = nullptr;
@@ -235,20 +239,19 @@ Projection::project(const BackboneContext& context, const Frame& frame, const Ho
     return best;
 }
 
-Result<const gl::RenderToTexture2D*>
-Projection::apply(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,
-                  const KeptTexels& kept, const std::vector<CubeMapProjector*>& projectors,
-                  ProjectedPictures& pictures) {
+Result<const gl::RenderToTexture2D*> Projection::apply(const FrameContext& context,
+                                                       const ProjectedCubeMaps& cubeMaps,
+                                                       ProjectedPictures& pictures) {
     const gl::DebugGroup group(context.gl, "aolib: project cube maps");
-    const auto projected = project(context, frame, host, kept, projectors, pictures);
+    const auto projected = project(context, cubeMaps, pictures);
     if (!projected || !context.options.cubeMaps.halfResolution) {
         return projected;
     }
-    if (AoStatus status = prepare(context, frame.size, pictures.upsampled); !status) {
+    if (AoStatus status = prepare(context, context.frame.size, pictures.upsampled); !status) {
         return status;
     }
-    gl::GLSLShader& shader = upsample_[kept.repaired == nullptr ? 0 : 1];
-    bindHalf(shader, frame, host, kept, **projected);
+    gl::GLSLShader& shader = upsample_[cubeMaps.refined == nullptr ? 0 : 1];
+    bindHalf(shader, context, cubeMaps, **projected);
     pictures.upsampled.begin(0);
     context.generated.drawFullscreen();
     return &pictures.upsampled;

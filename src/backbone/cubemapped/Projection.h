@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "backbone/HostFramebuffer.h"
+#include "backbone/FrameContext.h"
 #include "backbone/cubemapped/CubeMapProjector.h"
 #include "gl/GLSLShader.h"
 
@@ -18,12 +18,12 @@ struct ProjectedPictures {
     std::size_t bytes() const;
 };
 
-/// What all cube maps keep, and what was traced for the view.
-struct KeptTexels {
+/// The cube maps that are projected onto a view, and what was computed for its own pixels.
+struct ProjectedCubeMaps {
     const FaceStore& faces;
     const BlockStore& blocks;
-    float reach; ///< of occluders, world units: coarser texels know no surface
-    const gl::TextureStack* repaired = nullptr; ///< ViewRepair's, of the view at rest
+    const std::vector<CubeMapProjector*>& list;
+    const gl::TextureStack* refined = nullptr; ///< ViewRepair's, of a view at rest
 };
 
 /// Projects cube maps onto the host's view (thesis 4.4): best quality wins, close calls are
@@ -35,52 +35,46 @@ public:
 
     /// Sets what shaders/cubemap/projection.glsl and shaders/frame/host_surface.glsl read, on units
     /// 0 to 3 and 5.
-    static void bind(gl::GLSLShader& shader, const Frame& frame, const HostFramebuffer& host,
-                     const KeptTexels& kept, const std::vector<CubeMapProjector*>& projectors);
+    static void bind(gl::GLSLShader& shader, const FrameContext& context,
+                     const ProjectedCubeMaps& cubeMaps);
 
     /// Darkens the host's picture: in a single pass, or two at half resolution. Errors:
     /// OutOfMemory.
-    AoStatus shade(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,
-                   const KeptTexels& kept, const std::vector<CubeMapProjector*>& projectors,
+    AoStatus shade(const FrameContext& context, const ProjectedCubeMaps& cubeMaps,
                    ProjectedPictures& pictures);
 
     /// W into a target instead, with a depth that fullscreen passes fail by GL_LESS; -1, and no
     /// such depth, for background and where no cube map knows the surface.
     /// @param withDepth  else the depth is left as it is. Errors: OutOfMemory.
-    Result<const gl::RenderToTexture2D*> tell(const BackboneContext& context, const Frame& frame,
-                                              const HostFramebuffer& host, const KeptTexels& kept,
-                                              const std::vector<CubeMapProjector*>& projectors,
+    Result<const gl::RenderToTexture2D*> tell(const FrameContext& context,
+                                              const ProjectedCubeMaps& cubeMaps,
                                               ProjectedPictures& pictures, bool withDepth);
 
     /// The same into a target whose texture 0 holds, per pixel, the weighted sum of W, log2 of
     /// quality, the face's code and the weight; in one pass, or to and fro between two targets.
     /// Errors: OutOfMemory.
-    Result<const gl::RenderToTexture2D*> apply(const BackboneContext& context, const Frame& frame,
-                                               const HostFramebuffer& host, const KeptTexels& kept,
-                                               const std::vector<CubeMapProjector*>& projectors,
+    Result<const gl::RenderToTexture2D*> apply(const FrameContext& context,
+                                               const ProjectedCubeMaps& cubeMaps,
                                                ProjectedPictures& pictures);
 
 private:
     static AoStatus prepare(const BackboneContext& context, const glm::ivec2& size,
                             gl::RenderToTexture2D& target);
     /// Projects at full resolution or half. Errors: OutOfMemory.
-    Result<const gl::RenderToTexture2D*> project(const BackboneContext& context, const Frame& frame,
-                                                 const HostFramebuffer& host,
-                                                 const KeptTexels& kept,
-                                                 const std::vector<CubeMapProjector*>& projectors,
+    Result<const gl::RenderToTexture2D*> project(const FrameContext& context,
+                                                 const ProjectedCubeMaps& cubeMaps,
                                                  ProjectedPictures& pictures);
     /// Binds the shader that gives the host's picture its factors, after what it needs.
     /// Errors: OutOfMemory.
-    Result<gl::GLSLShader*> bindShade(const BackboneContext& context, const Frame& frame,
-                                      const HostFramebuffer& host, const KeptTexels& kept,
-                                      const std::vector<CubeMapProjector*>& projectors,
+    Result<gl::GLSLShader*> bindShade(const FrameContext& context,
+                                      const ProjectedCubeMaps& cubeMaps,
                                       ProjectedPictures& pictures);
-    static void bindHalf(gl::GLSLShader& shader, const Frame& frame, const HostFramebuffer& host,
-                         const KeptTexels& kept, const gl::RenderToTexture2D& half);
+    static void bindHalf(gl::GLSLShader& shader, const FrameContext& context,
+                         const ProjectedCubeMaps& cubeMaps, const gl::RenderToTexture2D& half);
 
     /// Without and with blocks, without and with repaired pixels.
     using Variants = std::array<gl::GLSLShader, 4>;
-    static gl::GLSLShader& variant(Variants& shaders, const KeptTexels& kept);
+    static gl::GLSLShader& variant(Variants& shaders, const ProjectedCubeMaps& cubeMaps);
 
     Variants project_;
     Variants shade_;

@@ -16,10 +16,8 @@ constexpr int kFirstPasses = 2;
 
 Result<std::unique_ptr<RasterTexels>> RasterTexels::create(const BackboneContext& context,
                                                            const SceneGeometry& geometry,
-                                                           FaceStore& store, BlockStore& blocks,
-                                                           std::function<float()> radius) {
-    std::unique_ptr<RasterTexels> texels(
-        new RasterTexels(context, geometry, store, blocks, std::move(radius)));
+                                                           FaceStore& store, BlockStore& blocks) {
+    std::unique_ptr<RasterTexels> texels(new RasterTexels(context, geometry, store, blocks));
     auto shading = DeferredShading::create(context);
     if (!shading) {
         return shading.status();
@@ -134,8 +132,7 @@ AoStatus RasterTexels::complete(CubeMapProjector& projector) {
     const int size = store_.faceSize();
     for (int face = 0; face < kFaces; ++face) {
         if (projector.keeps(face)) {
-            shading_.accumulate(context_, capture, radius_(), {face, 0, 0, size, size}, 0,
-                                passes());
+            shading_.accumulate(context_, capture, {face, 0, 0, size, size}, 0, passes());
         }
     }
     for (int face = 0; face < kFaces; ++face) {
@@ -250,7 +247,7 @@ int RasterTexels::computeTiles(CubeMapProjector& projector, Work& work, int most
                 tiles.setPasses(tile, passes());
                 continue;
             }
-            shading_.accumulate(context_, work.capture, radius_(), region, pass, 1);
+            shading_.accumulate(context_, work.capture, region, pass, 1);
             tiles.setPasses(tile, pass + 1);
             tiles.offerBlocks(tile, work.capture.geometry->layersOf(region.face) - 1);
             computed.insert(tile);
@@ -328,8 +325,7 @@ AoStatus RasterTexels::computeBehind(CubeMapProjector& projector, Work& work, in
     const TileProgress::Region region = tiles.region(tile);
     const int pass = tiles.blockPasses(tile) % passes();
     const int layer = 1 + tiles.blockPasses(tile) / passes();
-    if (AoStatus status =
-            shading_.accumulateBehind(context_, work.capture, radius_(), region, layer, pass);
+    if (AoStatus status = shading_.accumulateBehind(context_, work.capture, region, layer, pass);
         !status) {
         return status;
     }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -18,11 +17,10 @@ namespace aolib {
 /// them.
 class RasterTexels final : public AbstractTexelSource {
 public:
-    /// Errors: ShaderError. @param radius  asks for the reach of occluders, world units.
+    /// Errors: ShaderError.
     static Result<std::unique_ptr<RasterTexels>> create(const BackboneContext& context,
                                                         const SceneGeometry& geometry,
-                                                        FaceStore& store, BlockStore& blocks,
-                                                        std::function<float()> radius);
+                                                        FaceStore& store, BlockStore& blocks);
 
     /// What captures and computes, for whoever needs the same of other points.
     DeferredShading& shading() { return shading_; }
@@ -57,9 +55,8 @@ private:
     };
 
     RasterTexels(const BackboneContext& context, const SceneGeometry& geometry, FaceStore& store,
-                 BlockStore& blocks, std::function<float()> radius)
-        : context_(context), geometry_(geometry), store_(store), blocks_(blocks),
-          radius_(std::move(radius)) {}
+                 BlockStore& blocks)
+        : context_(context), geometry_(geometry), store_(store), blocks_(blocks) {}
 
     Result<Work*> begin(CubeMapProjector& projector);
     bool capturing(CubeMapId id) const;
@@ -81,7 +78,6 @@ private:
     const SceneGeometry& geometry_;
     FaceStore& store_;
     BlockStore& blocks_;
-    std::function<float()> radius_;
     DeferredShading shading_;
     SightTest sight_;
     FrameBudget budget_;

@@ -176,7 +176,7 @@ TexelRequest RayTracedTexels::requestFor(const Wanted& wanted) const {
             .height = scale * region.height,
             .firstRay = before,
             .rays = raysAfter(wanted.passes + 1) - before,
-            .radius = radius_,
+            .radius = context_.options.radius,
             .falloff = context_.options.falloff,
             .sights = {}};
 }
@@ -271,7 +271,8 @@ bool RayTracedTexels::add(Tile& sums, const TracedTexels& traced) {
 
 bool RayTracedTexels::counts(const CubeMapProjector& projector, const TracedTexels& traced,
                              int tile) {
-    return traced.request.radius == radius_ && traced.scene >= shown(projector, tile).changedIn;
+    return traced.request.radius == context_.options.radius &&
+           traced.scene >= shown(projector, tile).changedIn;
 }
 
 AoStatus RayTracedTexels::take(CubeMapProjector& projector, const TracedTexels& traced, int tile) {

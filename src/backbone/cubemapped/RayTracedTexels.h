@@ -24,9 +24,6 @@ public:
                     TracerQueue& queue)
         : context_(context), store_(store), blocks_(details), queue_(queue) {}
 
-    /// The reach of occluders from now on, world units.
-    void setRadius(float radius) { radius_ = radius; }
-
     int passes() const override;
     AoStatus complete(CubeMapProjector& projector) override;
     AoStatus advance(const std::vector<CubeMapProjector*>& projectors,
@@ -97,7 +94,6 @@ private:
     FaceStore& store_;
     BlockStore& blocks_;
     TracerQueue& queue_;
-    float radius_ = 1.0F;
     std::map<CubeMapId, Work> works_;
     TileTurns turns_;
     std::size_t queued_ = 0;

@@ -55,10 +55,8 @@ AoStatus Survey::makeReadbacks(const BackboneContext& context, PendingSurveys& o
     return {};
 }
 
-AoStatus Survey::take(const BackboneContext& context, const Frame& frame,
-                      const HostFramebuffer& host, const KeptTexels& kept,
-                      const std::vector<CubeMapProjector*>& projectors, std::uint64_t frameNumber,
-                      PendingSurveys& into) {
+AoStatus Survey::take(const FrameContext& context, const ProjectedCubeMaps& cubeMaps,
+                      std::uint64_t frameNumber, PendingSurveys& into) {
     const gl::DebugGroup group(context.gl, "aolib: survey");
     if (into.requests_.empty()) {
         if (AoStatus status = makeReadbacks(context, into); !status) {
@@ -70,15 +68,15 @@ AoStatus Survey::take(const BackboneContext& context, const Frame& frame,
             continue;
         }
         target_.begin(0);
-        Projection::bind(shader_, frame, host, kept, projectors);
+        Projection::bind(shader_, context, cubeMaps);
         shader_.set("uTargetSize", glm::vec2(kSize));
         context.generated.drawFullscreen();
         target_.beginRead(0);
         request.readback.start(kSize, kSize, GL_RGBA, GL_FLOAT);
         request.frame = frameNumber;
-        request.eye = frame.camera.eye();
+        request.eye = context.frame.camera.eye();
         request.cubeMaps.clear();
-        for (const CubeMapProjector* projector : projectors) {
+        for (const CubeMapProjector* projector : cubeMaps.list) {
             request.cubeMaps.push_back(projector->id());
         }
         break;

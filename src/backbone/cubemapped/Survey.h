@@ -59,8 +59,7 @@ public:
 
     /// Starts sampling a frame of a view, unless all its readbacks are still on their way.
     /// Errors: OutOfMemory.
-    AoStatus take(const BackboneContext& context, const Frame& frame, const HostFramebuffer& host,
-                  const KeptTexels& kept, const std::vector<CubeMapProjector*>& projectors,
+    AoStatus take(const FrameContext& context, const ProjectedCubeMaps& cubeMaps,
                   std::uint64_t frameNumber, PendingSurveys& into);
 
 private:

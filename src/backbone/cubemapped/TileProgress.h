@@ -55,7 +55,7 @@ public:
     /// Whether a tile has been known since before a frame.
     bool begunBefore(int tile, std::uint64_t frame) const {
         const Tile& of = tiles_[static_cast<std::size_t>(tile)];
-        return of.known && of.begunIn < frame;
+        return of.known && of.begunIn <= frame;
     }
     /// Whether texels of a tile were written since it last lost all of them: it can be shown.
     bool known(int tile) const { return tiles_[static_cast<std::size_t>(tile)].known; }

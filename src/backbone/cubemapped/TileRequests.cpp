@@ -19,7 +19,7 @@ void requestTilesOf(CubeMapProjector& projector, const SurveyAnswer& answer,
                     const BlockStore& blocks, int passes, AskedTiles& asked,
                     std::vector<bool>& covered) {
     const bool ofHidden = blocks.scale() == 1;
-    const bool recent = answer.frame > projector.surveysBefore;
+    const bool recent = answer.frame >= projector.shownMoreIn;
     const bool seen = std::ranges::count(answer.projected, projector.id()) > 0;
     const glm::vec3 toEye(answer.eye - glm::dvec3(projector.position()));
     TileProgress& tiles = projector.tiles;

@@ -58,10 +58,11 @@ AoStatus TracedPixels::advance(const RestingView& view, FoundPixels& found, doub
         if (std::isinf(milliseconds)) {
             view.context.gl.Finish();
         }
-        readback_.poll([&](auto depths) { plan(view.frame, depths); });
+        readback_.poll([&](auto depths) { plan(view.context.frame, depths); });
         if (phase_ == Phase::Tracing) {
             found.count = 0;
-            if (AoStatus status = found.makeRoom(view.context.gl, view.frame.size); !status) {
+            if (AoStatus status = found.makeRoom(view.context.gl, view.context.frame.size);
+                !status) {
                 restart();
                 return status;
             }
@@ -85,7 +86,7 @@ AoStatus TracedPixels::trace(const RestingView& view, FoundPixels& found, double
             return queue_.status();
         }
         for (const TracedTexels& traced : results) {
-            take(traced, view.frame.size, found);
+            take(traced, view.context.frame.size, found);
         }
         const std::chrono::duration<double, std::milli> spent =
             std::chrono::steady_clock::now() - start;
@@ -97,7 +98,7 @@ AoStatus TracedPixels::trace(const RestingView& view, FoundPixels& found, double
 }
 
 Result<gl::GLSLShader*> TracedPixels::shaderFor(const RestingView& view) {
-    const HostSamples* samples = view.host.samples();
+    const HostSamples* samples = view.context.host.samples();
     if (samples == nullptr) {
         return &shader_;
     }
@@ -118,10 +119,10 @@ Result<gl::GLSLShader*> TracedPixels::shaderFor(const RestingView& view) {
 
 AoStatus TracedPixels::ask(const RestingView& view) {
     const gl::Functions& gl = view.context.gl;
-    const glm::ivec2& size = view.frame.size;
+    const glm::ivec2& size = view.context.frame.size;
     const gl::DebugGroup group(gl, "aolib: doubtful pixels");
     using Format = gl::RenderToTexture2D::Format;
-    const HostSamples* samples = view.host.samples();
+    const HostSamples* samples = view.context.host.samples();
     channels_ = samples == nullptr ? kDepthAlone : kDepthAndSeen;
     const auto shader = shaderFor(view);
     if (!shader) {
@@ -142,7 +143,7 @@ AoStatus TracedPixels::ask(const RestingView& view) {
     doubt_ = std::move(*doubt);
     readback_ = std::move(*readback);
     doubt_.begin(0);
-    Projection::bind(**shader, view.frame, view.host, view.kept, view.projectors);
+    Projection::bind(**shader, view.context, view.cubeMaps);
     if (samples == nullptr) {
         view.context.generated.drawFullscreen();
     } else {
@@ -208,7 +209,7 @@ void TracedPixels::plan(const Frame& frame, std::span<const std::uint8_t> depths
 }
 
 std::vector<TexelRequest> TracedPixels::requests(const RestingView& view) const {
-    const HostCamera& camera = view.frame.camera;
+    const HostCamera& camera = view.context.frame.camera;
     const Options& options = view.context.options;
     const glm::vec3 centre(camera.eye());
     const glm::dvec3 rest = camera.eye() - glm::dvec3(centre);
@@ -226,13 +227,13 @@ std::vector<TexelRequest> TracedPixels::requests(const RestingView& view) const 
                              .width = kBlock,
                              .height = static_cast<int>(pixels.size() + kBlock - 1) / kBlock,
                              .rays = kRaysPerTexelRay * options.rayTraced.rays,
-                             .radius = view.radius,
+                             .radius = options.radius,
                              .falloff = options.falloff,
                              .sights = {}};
         for (const Pixel& pixel : pixels) {
-            const HostCamera::Surface surface =
-                camera.surfaceAt(pixel.at, static_cast<double>(pixel.seen.z), view.frame.size,
-                                 view.frame.clip, glm::dvec2(pixel.seen));
+            const HostCamera::Surface surface = camera.surfaceAt(
+                pixel.at, static_cast<double>(pixel.seen.z), view.context.frame.size,
+                view.context.frame.clip, glm::dvec2(pixel.seen));
             const glm::dvec3 reach =
                 (2.0 * surface.resolution + kReach * surface.footprint) * surface.viewer;
             request.sights.push_back({glm::vec3(rest + surface.position + reach),

@@ -26,10 +26,12 @@ std::unique_ptr<ViewState> BackboneScreenSpace::makeView() {
 
 Result<std::unique_ptr<AbstractBackbone>>
 BackboneScreenSpace::create(const BackboneContext& context) {
-    std::unique_ptr<BackboneScreenSpace> backbone(new BackboneScreenSpace(context));
-    if (AoStatus status = backbone->initialise(); !status) {
-        return status;
+    auto passes = FramePasses::create(context);
+    if (!passes) {
+        return passes.status();
     }
+    std::unique_ptr<BackboneScreenSpace> backbone(
+        new BackboneScreenSpace(context, std::move(*passes)));
     if (AoStatus status = backbone->chooseEstimator(); !status) {
         return status;
     }
@@ -52,28 +54,51 @@ AoStatus BackboneScreenSpace::chooseEstimator() {
     return shader.status();
 }
 
-Result<const gl::RenderToTexture2D*> BackboneScreenSpace::computeVisibility(const Frame& frame) {
-    const gl::DebugGroup group(context_.gl, "aolib: screen-space visibility");
-    gl::RenderToTexture2D& target = static_cast<ScreenSpaceView&>(view()).estimated;
+AoStatus BackboneScreenSpace::drawFrame(const FrameContext& context) {
+    if (AoStatus status = computeVisibility(context); !status) {
+        return status;
+    }
+    const auto& of = static_cast<const ScreenSpaceView&>(view());
+    return passes_.composite.apply(context, {of.geometry, of.blurred.visibility, of.estimated});
+}
+
+AoStatus BackboneScreenSpace::computeVisibility(const FrameContext& context) {
+    auto& of = static_cast<ScreenSpaceView&>(view());
+    if (AoStatus status = passes_.geometry.update(context, of.geometry); !status) {
+        return status;
+    }
+    if (AoStatus status = estimate(context); !status) {
+        return status;
+    }
+    const BlurOptions& blur = context.options.blur;
+    AoStatus status = passes_.blur.apply(context, of.geometry, of.estimated,
+                                         blur.enabled ? blur.size : 1, of.blurred);
+    of.buffered = status.ok();
+    return status;
+}
+
+AoStatus BackboneScreenSpace::estimate(const FrameContext& context) {
+    const gl::DebugGroup group(context.gl, "aolib: screen-space visibility");
+    auto& of = static_cast<ScreenSpaceView&>(view());
     if (AoStatus status =
-            target.become(context_.gl, {.width = frame.size.x,
-                                        .height = frame.size.y,
-                                        .targets = {gl::RenderToTexture2D::Format::RG16F},
-                                        .label = "aolib/screenspace/visibility"});
+            of.estimated.become(context.gl, {.width = context.frame.size.x,
+                                             .height = context.frame.size.y,
+                                             .targets = {gl::RenderToTexture2D::Format::RG16F},
+                                             .label = "aolib/screenspace/visibility"});
         !status) {
         return status;
     }
-    if (estimator_ != context_.options.estimator) {
+    if (estimator_ != context.options.estimator) {
         if (AoStatus status = chooseEstimator(); !status) {
             return status;
         }
     }
-    target.begin(0);
+    of.estimated.begin(0);
     shader_.bind();
-    view().geometry.bind(shader_, frame, 0, 1);
-    setEstimatorUniforms(shader_, context_.options, radius());
-    context_.generated.drawFullscreen();
-    return &target;
+    of.geometry.bind(shader_, context.frame, 0, 1);
+    setEstimatorUniforms(shader_, context.options);
+    context.generated.drawFullscreen();
+    return {};
 }
 
 void BackboneScreenSpace::addStatistics(Statistics& statistics, const ViewState* view) {

@@ -17,11 +17,14 @@ public:
 
 private:
     using AbstractBackbone::AbstractBackbone;
-    Result<const gl::RenderToTexture2D*> computeVisibility(const Frame& frame) override;
+    AoStatus drawFrame(const FrameContext& context) override;
+    AoStatus computeVisibility(const FrameContext& context) override;
     void addStatistics(Statistics& statistics, const ViewState* view) override;
     std::unique_ptr<ViewState> makeView() override;
 
     AoStatus chooseEstimator();
+    /// Writes each pixel's W, not blurred, to the view's target.
+    AoStatus estimate(const FrameContext& context);
 
     gl::GLSLShader shader_;
     Estimator estimator_{}; ///< that `shader_` was built for

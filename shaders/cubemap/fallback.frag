@@ -9,8 +9,8 @@
 #include "shared/sector_mask.h"
 #include "shared/slice.h"
 
-uniform sampler2D uTold; // project.frag's: known where its weight is above 0
-uniform bool uByTold;    // else what is known fails the depth test
+uniform sampler2D uMask; // project.frag's: known where its weight is above 0
+uniform bool uUseMask;    // else what is known fails the depth test
 uniform float uRadius;    // world units
 uniform float uThickness; // world units
 uniform int uFalloff;     // as enum class Falloff
@@ -142,7 +142,7 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     HostSurface surface;
     bool drawn = hostSurface(pixel, surface);
-    bool wanted = drawn && !(uByTold && texelFetch(uTold, pixel, 0).a > 0.0);
+    bool wanted = drawn && !(uUseMask && texelFetch(uMask, pixel, 0).a > 0.0);
     bool asked = drawn && anyOfQuad(wanted);
     ivec2 odd = pixel & 1;
     float w = visibilityInSight(surface, vec2(pixel) + 0.5, asked,

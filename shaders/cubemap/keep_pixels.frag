@@ -1,5 +1,5 @@
 #version 330 core
-// What was found of pixels of a view at rest, as repaired.glsl reads it.
+// What was found of pixels of a view at rest, as refined.glsl reads it.
 uniform sampler2D uSums;  // blocked weight, weight
 uniform sampler2D uDepth; // as the host drew it
 

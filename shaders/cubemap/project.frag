@@ -4,7 +4,7 @@
 // passes found.
 #include "frame/host_surface.glsl"
 #include "cubemap/projection.glsl"
-#include "cubemap/repaired.glsl"
+#include "cubemap/refined.glsl"
 
 uniform sampler2D uBest; // of the passes before
 uniform bool uFirstPass;
@@ -54,7 +54,7 @@ void main() {
             consider(cube, eyeTo, normal, best);
         }
         refine(eyeTo, normal, resolution, longest, best);
-        float repaired = repairedVisibility(pixel, rawDepth(pixel));
+        float repaired = refinedVisibility(pixel, rawDepth(pixel));
         if (repaired >= 0.0) {
             best.sum = repaired;
             best.weights = 1.0;

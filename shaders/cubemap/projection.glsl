@@ -8,12 +8,12 @@ uniform sampler2DArray uCubeVisibility; // a layer per face that is kept
 uniform sampler2DArray uCubeDepth;      // coded depth along the face's axis; 0 where nothing is known
 uniform int uFaceSize;                  // texels
 // Blocks, which tiles keep beside their texels: finer ones where surfaces end, or as fine ones of the
-// surfaces behind. Read where AO_BLOCKS is defined. (A software rasteriser runs every branch: what a
+// surfaces behind. Read where AO_PAGES is defined. (A software rasteriser runs every branch: what a
 // uniform switches off would cost all the same.) They lie in layers of the same textures.
 uniform sampler2DArray uPages; // a layer per face, a texel per tile: 1 + layer of its block, and where
                                // in the layer, x + 256 y in blocks; 0 where it has none
 uniform float uReach;           // of occluders, world units
-uniform int uBlockScale;       // texels of blocks along a texel; 1: they are of the surfaces behind
+uniform int uPageScale;       // texels of blocks along a texel; 1: they are of the surfaces behind
 // Per cube map: from its centre to the eye (world units), and what its quality is multiplied by.
 uniform vec4 uCubeToEye[64];
 uniform vec4 uDepthCode[64]; // what codes of depth span, two unused
@@ -272,26 +272,26 @@ void refine(vec3 eyeTo, vec3 normal, float resolution, float longest, inout Proj
     vec2 code = uDepthCode[cube].xy;
     int layer = faceLayer(cube, face);
     float visibility = -1.0;
-#ifdef AO_BLOCKS
-    int edge = kTile * uBlockScale;
-    float scale = float(uBlockScale);
+#ifdef AO_PAGES
+    int edge = kTile * uPageScale;
+    float scale = float(uPageScale);
     float tolerance = planeTolerance(p, inFace.z, -dot(normal, p), scale, resolution, longest);
-    float apart = uBlockScale == 1 ? kBehindTolerances * tolerance : kAnywhere;
+    float apart = uPageScale == 1 ? kBehindTolerances * tolerance : kAnywhere;
     ivec2 tile = min(ivec2(at), uFaceSize - 1) / kTile;
     ivec3 link = ivec3(tile, layer);
     bool behind;
     do { // from block to block, which lie behind each other
         ivec2 page = ivec2(texelFetch(uPages, link, 0).rg * 65535.0 + 0.5);
-        bool paged = page.x > 0 && (uBlockScale > 1 || unknown);
+        bool paged = page.x > 0 && (uPageScale > 1 || unknown);
         link = ivec3(page.y & 255, page.y >> 8, page.x - 1);
         Grid grid = Grid(max(link.z, 0), edge * link.xy, tile * edge,
-                         min(ivec2(edge), uBlockScale * uFaceSize - tile * edge), uBlockScale);
+                         min(ivec2(edge), uPageScale * uFaceSize - tile * edge), uPageScale);
         bool doubt;
         float told = lookUp(inFace, toFace(face, normal), grid, scale * at - vec2(grid.offset) - 0.5,
                             code, tolerance, apart, doubt);
         visibility = paged ? told : visibility;
         best.doubt = paged ? doubt || told < 0.0 : best.doubt;
-        behind = paged && uBlockScale == 1 && told < 0.0;
+        behind = paged && uPageScale == 1 && told < 0.0;
     } while (behind);
 #endif
     bool nearby = unknown && visibility < 0.0;

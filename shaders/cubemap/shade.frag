@@ -4,7 +4,7 @@
 // (1 - a) + a W, thesis eq. 4.11.
 #include "frame/host_surface.glsl"
 #include "cubemap/projection.glsl"
-#include "cubemap/repaired.glsl"
+#include "cubemap/refined.glsl"
 
 uniform ivec2 uOrigin; // lower left corner of the host's viewport, pixels
 uniform int uCubes;
@@ -19,7 +19,7 @@ void main() {
     if (!hostSurface(pixel, surface)) {
         discard;
     }
-    float visibility = repairedVisibility(pixel, rawDepth(pixel));
+    float visibility = refinedVisibility(pixel, rawDepth(pixel));
     if (visibility < 0.0) {
         vec3 eyeTo = uEyeToWorld * surface.eye;
         vec3 normal = uEyeToWorld * surface.normal;

@@ -1,7 +1,7 @@
 // What the cube maps told at half the resolution, taken to a pixel: the mean of the four nearest samples
 // that lie on its tangent plane, bilinear; where none does, the one nearest to it.
 #include "frame/host_surface.glsl"
-#include "cubemap/repaired.glsl"
+#include "cubemap/refined.glsl"
 
 uniform sampler2D uHalf; // project.frag's, a sample for each 2 x 2 pixels: at the upper right one
 
@@ -38,6 +38,6 @@ vec4 upsampled(ivec2 pixel, HostSurface surface) {
         nearest = nearer ? off : nearest;
     }
     best.r = weights > 0.0 ? sum / weights : best.r;
-    float repaired = repairedVisibility(pixel, rawDepth(pixel));
+    float repaired = refinedVisibility(pixel, rawDepth(pixel));
     return repaired < 0.0 ? best : vec4(repaired, best.gb, 1.0);
 }

@@ -18,6 +18,11 @@ double millisecondsSince(std::chrono::steady_clock::time_point start) {
         .count();
 }
 
+/// Whether a kind of unit keeps the GPU busy; else the calling thread's time is all that it costs.
+bool usesGpu(WorkUnit kind) {
+    return kind != WorkUnit::Upload;
+}
+
 void learn(double& cost, double milliseconds, int units) {
     const double perUnit = milliseconds / units;
     cost = cost < 0.0 ? perUnit : cost + kLearning * (perUnit - cost);
@@ -50,14 +55,21 @@ void FrameBudget::beginFrame(double milliseconds) {
         }
         cost.inFrame = 0;
     }
-    if (software_) {
-        gl_->Finish(); // what the host has drawn is no work of ours
-    }
     frameBegan_ = Clock::now();
     milliseconds_ = milliseconds;
     gpuSpent_ = 0.0;
     unknown_ = false;
     worked_ = false;
+    waited_ = false;
+}
+
+void FrameBudget::waitForHost() {
+    if (software_ && !waited_) {
+        const Clock::time_point before = Clock::now();
+        gl_->Finish();
+        frameBegan_ += Clock::now() - before;
+        waited_ = true;
+    }
 }
 
 double FrameBudget::spent() const {
@@ -65,17 +77,21 @@ double FrameBudget::spent() const {
 }
 
 int FrameBudget::room(WorkUnit kind) {
+    if (usesGpu(kind)) {
+        waitForHost();
+    }
     const Cost& of = cost(kind);
     const int least = worked_ ? 0 : 1;
     const double left = milliseconds_ - spent();
-    if (!of.known()) { // a software rasteriser tells at once
-        return software_ && left > 0.0 ? 1 : least;
+    const bool timedAtOnce = software_ || !usesGpu(kind);
+    if (!of.known()) {
+        return timedAtOnce && left > 0.0 ? 1 : least;
     }
     if (unknown_) {
         return least;
     }
     const double fits = std::min(left / std::max(of.perUnit(), 1e-6), double{kMostUnits});
-    if (software_) { // half of them, then it asks again: units of a kind differ
+    if (timedAtOnce) { // half of them, then it asks again: units of a kind differ
         const int half = static_cast<int>(std::ceil(0.5 * std::floor(fits)));
         return std::max(std::min(half, of.trusted), least);
     }
@@ -86,7 +102,7 @@ void FrameBudget::start(WorkUnit kind) {
     current_ = kind;
     Cost& of = cost(kind);
     of.since = Clock::now();
-    if (!software_ && of.timed == 0) {
+    if (!software_ && usesGpu(kind) && of.timed == 0) {
         of.timer.begin();
     }
 }
@@ -94,8 +110,10 @@ void FrameBudget::start(WorkUnit kind) {
 void FrameBudget::done(int units) {
     units = std::max(units, 1);
     Cost& of = cost(current_);
-    if (software_) {
-        gl_->Finish();
+    if (software_ || !usesGpu(current_)) {
+        if (usesGpu(current_)) {
+            gl_->Finish();
+        }
         of.gpu = 0.0; // it is in the thread's
         of.trusted = std::min(2 * units + 1, kMostUnits);
     } else if (of.timed == 0) {

@@ -19,6 +19,8 @@ enum class WorkUnit {
     Peel,    ///< half a layer of one face
     Texels,  ///< a pass over a tile
     Keep,    ///< a tile's texels, written to where they are kept
+    Pixels,  ///< a pass over a tile of a view
+    Upload,  ///< a tile's texels, sent to where they are kept
 };
 
 /// Keeps the work of frames within a time, by what units of each kind have cost before.
@@ -33,7 +35,7 @@ public:
     /// Errors: OutOfMemory.
     static Result<FrameBudget> create(const gl::Functions& gl);
 
-    /// @param milliseconds  that the frame's work may take.
+    /// Begins a frame. @param milliseconds  that its work may take.
     void beginFrame(double milliseconds);
     /// How many units of a kind the frame has room for. Never none before any was done.
     int room(WorkUnit kind);
@@ -43,7 +45,7 @@ public:
 
 private:
     using Clock = std::chrono::steady_clock;
-    static constexpr std::size_t kKinds = 6;
+    static constexpr std::size_t kKinds = 8;
 
     struct Cost {
         gl::GpuTimer timer;
@@ -59,6 +61,8 @@ private:
     };
     Cost& cost(WorkUnit kind) { return costs_[static_cast<std::size_t>(kind)]; }
     double spent() const;
+    /// Before the first unit of a frame: what the host has drawn is no work of ours.
+    void waitForHost();
 
     const gl::Functions* gl_ = nullptr;
     bool software_ = false;
@@ -69,6 +73,7 @@ private:
     double gpuSpent_ = 0.0; ///< as far as it is known
     bool unknown_ = false;  ///< something was done whose cost is not known
     bool worked_ = false;
+    bool waited_ = false; ///< a software rasteriser has drawn all that the host asked for
 };
 
 } // namespace aolib

@@ -6,7 +6,7 @@
 #include <aolib/Status.h>
 
 #include "backbone/FrameBudget.h"
-#include "backbone/cubemapped/TileProgress.h"
+#include "backbone/cubemapped/TileTable.h"
 #include "gl/GLSLShader.h"
 
 namespace aolib {

@@ -31,11 +31,11 @@ Result<CubeMapPasses> CubeMapPasses::create(const BackboneContext& context) {
     if (!projection) {
         return projection.status();
     }
-    auto fallback = Fallback::create(context);
+    auto fallback = ScreenSpaceFallback::create(context);
     if (!fallback) {
         return fallback.status();
     }
-    auto survey = Survey::create(context);
+    auto survey = FeedbackPass::create(context);
     if (!survey) {
         return survey.status();
     }
@@ -48,10 +48,11 @@ Result<CubeMapPasses> CubeMapPasses::create(const BackboneContext& context) {
 }
 
 BackboneCubemapped::BackboneCubemapped(const BackboneContext& context, FramePasses passes,
-                                       CubeMapPasses cubeMapPasses)
+                                       CubeMapPasses cubeMapPasses, FrameBudget budget)
     : AbstractBackbone(context, std::move(passes)), cubeMapPasses_(std::move(cubeMapPasses)),
       cubeMaps_(context, [this](CubeMapProjector& one) { beforeRemoval(one); }),
-      schedule_(context, sceneGeometry_, cubeMaps_.store(), cubeMaps_.blocks()) {}
+      sources_(context, sceneGeometry_, cubeMaps_.atlas()), schedule_(context, sources_),
+      budget_(std::move(budget)) {}
 
 Result<std::unique_ptr<AbstractBackbone>>
 BackboneCubemapped::create(const BackboneContext& context) {
@@ -63,10 +64,14 @@ BackboneCubemapped::create(const BackboneContext& context) {
     if (!cubeMapPasses) {
         return cubeMapPasses.status();
     }
-    std::unique_ptr<BackboneCubemapped> backbone(
-        new BackboneCubemapped(context, std::move(*passes), std::move(*cubeMapPasses)));
-    if (context.options.estimator != Estimator::RayTraced) { // fails here rather than in a frame
-        if (AoStatus status = backbone->schedule_.chooseSource(); !status) {
+    auto budget = FrameBudget::create(context.gl);
+    if (!budget) {
+        return budget.status();
+    }
+    std::unique_ptr<BackboneCubemapped> backbone(new BackboneCubemapped(
+        context, std::move(*passes), std::move(*cubeMapPasses), std::move(*budget)));
+    if (!traitsOf(context.options.estimator).needsTracer) { // fails here rather than in a frame
+        if (AoStatus status = backbone->sources_.choose(); !status) {
             return status;
         }
     }
@@ -86,17 +91,17 @@ Result<CubeMapId> BackboneCubemapped::addCubeMap(const glm::vec3& position) {
     if (AoStatus status = cubeMaps_.makeRoomAtOnce(); !status) {
         return status;
     }
-    return place(position, /*byHand=*/true);
+    return place(position, /*pinned=*/true);
 }
 
-Result<CubeMapId> BackboneCubemapped::place(const glm::vec3& position, bool byHand) {
-    const auto placed = cubeMaps_.add(position, byHand);
+Result<CubeMapId> BackboneCubemapped::place(const glm::vec3& position, bool pinned) {
+    const auto placed = cubeMaps_.add(position, pinned);
     if (!placed) {
         return placed.status();
     }
     const CubeMapId id = (*placed)->id();
     if (schedule_.atOnce()) {
-        if (AoStatus status = schedule_.compute({*placed}); !status) {
+        if (AoStatus status = schedule_.compute({*placed}, budget_); !status) {
             cubeMaps_.remove(**placed);
             return status;
         }
@@ -138,13 +143,13 @@ Result<CubeMapProjector*> BackboneCubemapped::placeToPrepare(const glm::vec3& po
     if (AoStatus status = cubeMaps_.makeRoomAtOnce(); !status) {
         return status;
     }
-    return cubeMaps_.add(at, /*byHand=*/true);
+    return cubeMaps_.add(at, /*pinned=*/true);
 }
 
 std::vector<CubeMapProjector*> BackboneCubemapped::placedByHand() const {
     std::vector<CubeMapProjector*> placed;
     for (const auto& projector : cubeMaps_.all()) {
-        if (projector->use.byHand) {
+        if (projector->isPinned()) {
             placed.push_back(projector.get());
         }
     }
@@ -156,7 +161,7 @@ Result<float> BackboneCubemapped::goOnPreparing(double milliseconds) {
     if (AoStatus status = updateScene(); !status) {
         return status;
     }
-    const auto complete = schedule_.completeSome(placed, milliseconds);
+    const auto complete = schedule_.completeSome(placed, budget_, milliseconds);
     if (!complete) {
         return complete.status();
     }
@@ -183,7 +188,7 @@ void BackboneCubemapped::clear() {
 std::vector<CubeMapInfo> BackboneCubemapped::cubeMaps() {
     std::vector<CubeMapInfo> infos;
     for (const auto& projector : cubeMaps_.all()) {
-        infos.push_back(projector->info(cubeMaps_.store()));
+        infos.push_back(projector->info());
     }
     return infos;
 }
@@ -193,20 +198,20 @@ Result<CubeMapImage> BackboneCubemapped::readCubeMap(CubeMapId id) {
     if (projector == nullptr) {
         return unknown(id);
     }
-    return projector->read(context_.gl, cubeMaps_.store());
+    return projector->read(context_.gl);
 }
 
 void BackboneCubemapped::beforeRemoval(CubeMapProjector& projector) {
-    schedule_.forget(projector.id());
-    forEachView([&](CubemappedView& one) { one.cubeMapGoes(projector); });
+    sources_.forget(projector.id());
+    forEachView([&](CubemappedView& one) { one.forgetCubeMap(projector); });
     cubeMapsChanged();
 }
 
 void BackboneCubemapped::dropTracer() {
-    dropSources();
-    schedule_.dropTracer();
-    if (context_.options.estimator == Estimator::RayTraced) {
-        markAllDirty();
+    dropRefiners();
+    sources_.dropTracer();
+    if (traitsOf(context_.options.estimator).needsTracer) {
+        invalidateAll();
     }
 }
 
@@ -220,25 +225,24 @@ void BackboneCubemapped::restartViews() {
     forEachView([](CubemappedView& one) { one.restart(); });
 }
 
-void BackboneCubemapped::markAllDirty() {
+void BackboneCubemapped::invalidateAll() {
     for (const auto& projector : cubeMaps_.all()) {
-        projector->dirty = true;
+        projector->invalidate();
     }
 }
 
 void BackboneCubemapped::markAllOutdated() {
     for (const auto& projector : cubeMaps_.all()) {
-        projector->tiles.setAllOutdated();
-        projector->outdated = true;
+        projector->setAllOutdated();
     }
 }
 
 void BackboneCubemapped::optionsChanged(const Options& before) {
     if (before.estimator != context_.options.estimator) {
         for (const auto& projector : cubeMaps_.all()) {
-            schedule_.forget(projector->id()); // what another source holds
+            sources_.forget(projector->id()); // what another source holds
         }
-        markAllDirty();
+        invalidateAll();
     }
     if (!sameEstimate(before, context_.options)) { // the radius is watched where it is used
         markAllOutdated();

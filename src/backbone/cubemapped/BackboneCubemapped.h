@@ -10,8 +10,8 @@
 #include "backbone/cubemapped/CubeMapOutlines.h"
 #include "backbone/cubemapped/CubeMaps.h"
 #include "backbone/cubemapped/CubemappedView.h"
-#include "backbone/cubemapped/Fallback.h"
 #include "backbone/cubemapped/Projection.h"
+#include "backbone/cubemapped/ScreenSpaceFallback.h"
 
 namespace aolib {
 
@@ -21,8 +21,8 @@ struct CubeMapPasses {
     static Result<CubeMapPasses> create(const BackboneContext& context);
 
     Projection projection;
-    Fallback fallback;
-    Survey survey;
+    ScreenSpaceFallback fallback;
+    FeedbackPass survey;
     CubeMapOutlines outlines;
 };
 
@@ -35,11 +35,11 @@ public:
     /// Errors: ShaderError, OutOfMemory.
     static Result<std::unique_ptr<AbstractBackbone>> create(const BackboneContext& context);
     /// Views go before what they refer to.
-    ~BackboneCubemapped() override { dropSources(); }
+    ~BackboneCubemapped() override { dropRefiners(); }
 
     void optionsChanged(const Options& before) override;
     void dropTracer() override;
-    void rendererChanged() override { markAllDirty(); }
+    void rendererChanged() override { invalidateAll(); }
     BackboneCubemapped* cubemapped() override { return this; }
 
     // ---- Cube maps. Errors: as the calls of AmbientOcclusion.
@@ -56,7 +56,7 @@ public:
 
 private:
     BackboneCubemapped(const BackboneContext& context, FramePasses passes,
-                       CubeMapPasses cubeMapPasses);
+                       CubeMapPasses cubeMapPasses, FrameBudget budget);
 
     // ---- A frame, in order (BackboneCubemappedFrame.cpp)
 
@@ -81,7 +81,7 @@ private:
     void addStatistics(Statistics& statistics, const ViewState* view) override;
     std::unique_ptr<ViewState> makeView() override;
 
-    void markAllDirty();
+    void invalidateAll();
     /// Marks all tiles as outdated; what they hold is shown until it is replaced.
     void markAllOutdated();
     void cubeMapsChanged();
@@ -89,7 +89,7 @@ private:
     void restartViews();
     void beforeRemoval(CubeMapProjector& projector);
     /// Places a cube map, for which there must be room.
-    Result<CubeMapId> place(const glm::vec3& position, bool byHand);
+    Result<CubeMapId> place(const glm::vec3& position, bool pinned);
     /// The cube maps of a view and, after them, those of other views that are drawn.
     std::vector<CubeMapProjector*> wanted(const CubemappedView& view) const;
     /// Whether a view's cube maps are complete, as far as it asks for them.
@@ -111,8 +111,8 @@ private:
         }
     }
     /// Drops what computes pixels of views at rest.
-    void dropSources() const {
-        forEachView([](CubemappedView& one) { one.repair.dropSource(); });
+    void dropRefiners() const {
+        forEachView([](CubemappedView& one) { one.refiner.dropRefiner(); });
     }
     bool needsFallback(const CubemappedView& view) const;
     /// Whether W is written to a texture before it is blended.
@@ -124,7 +124,9 @@ private:
     CubeMapPasses cubeMapPasses_;
     SceneGeometry sceneGeometry_;
     CubeMaps cubeMaps_;
+    TexelSources sources_;
     BuildSchedule schedule_;
+    FrameBudget budget_;
     float builtRadius_ = 0.0F; ///< of the cube maps that are not dirty, world units
     float prepared_ = 0.0F;    ///< share of what is prepared
 };

@@ -1,6 +1,5 @@
 // A frame with cube maps, from the host's depth to its picture.
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -50,7 +49,7 @@ AoStatus BackboneCubemapped::drawFrame(const FrameContext& context) {
 CubemappedView& BackboneCubemapped::beginFrame(const FrameContext& context) {
     CubemappedView& view = currentView();
     schedule_.beginFrame();
-    view.follow(context.frame, frameNumber());
+    view.beginFrame(context.frame, frameNumber());
     view.projected.clear();
     cubeMaps_.followOptions();
     return view;
@@ -64,8 +63,9 @@ AoStatus BackboneCubemapped::updateScene() {
         const float within =
             shared::occluderReach(static_cast<int>(options.falloff), options.radius);
         schedule_.sceneChanged(cubeMaps_.all(), changes, within);
-        const bool texels = std::ranges::any_of(
-            cubeMaps_.all(), [](const auto& one) { return one->outdated || one->dirty; });
+        const bool texels = std::ranges::any_of(cubeMaps_.all(), [](const auto& one) {
+            return one->mustBegin() || one->tiles().hasOutdated();
+        });
         forEachView([&](CubemappedView& one) { one.sceneChanged(changes, within, texels); });
     }
     if (options.radius != builtRadius_) {
@@ -73,14 +73,14 @@ AoStatus BackboneCubemapped::updateScene() {
         markAllOutdated();
         restartViews();
     }
-    if (options.estimator == Estimator::RayTraced) {
+    if (traitsOf(options.estimator).needsTracer) {
         sceneGeometry_.forget(changes); // rays need no triangles on the GPU
         return {};
     }
     AoStatus status = sceneGeometry_.update(context_.gl, context_.scene, changes,
                                             traitsOf(options.estimator).layered);
     if (!status) {
-        markAllDirty();
+        invalidateAll();
     }
     return status;
 }
@@ -92,15 +92,15 @@ void BackboneCubemapped::chooseCubeMaps(const FrameContext& context, CubemappedV
 void BackboneCubemapped::applyFeedback(CubemappedView& view) {
     auto answer = view.surveys.poll();
     if (!answer) {
-        if (view.framesToSurvey() > 1) { // no new feedback: the last usage shares count again
-            Eviction::follow(cubeMaps_.all(), view.feedback.best);
+        if (view.feedbackInterval() > 1) { // no new feedback: the last usage shares count again
+            cubeMaps_.recordUsage(view.feedback.best);
         }
         return;
     }
-    Eviction::follow(cubeMaps_.all(), answer->best);
-    const RequestedTiles requested =
-        requestTiles(view.used, *answer, cubeMaps_.blocks(), schedule_.passes(), view.asked);
-    view.coverageToCome = requested.coverage;
+    cubeMaps_.recordUsage(answer->best);
+    const RequestedTiles requested = requestTiles(view.used, *answer, cubeMaps_.atlas().pages,
+                                                  schedule_.passes(), view.requested);
+    view.predictedCoverage = requested.coverage;
     view.missing = requested.missing;
     view.feedback = std::move(*answer);
     view.feedbackIsCurrent = true;
@@ -110,8 +110,9 @@ AoStatus BackboneCubemapped::placeCubeMap(const FrameContext& context, Cubemappe
     cubeMaps_.evictWhereDue(wanted(view), schedule_.atOnce());
     chooseCubeMaps(context, view);
     const std::optional<glm::vec3> position = positionWhereDue(context, view);
-    if (position && cubeMaps_.makeRoom(Eviction::For::Newcomer, wanted(view), schedule_.atOnce())) {
-        if (const auto placed = place(*position, /*byHand=*/false); !placed) {
+    if (position &&
+        cubeMaps_.makeRoom(EvictionReason::NewCubeMap, wanted(view), schedule_.atOnce())) {
+        if (const auto placed = place(*position, /*pinned=*/false); !placed) {
             return placed.status();
         }
     }
@@ -131,12 +132,12 @@ std::optional<glm::vec3> BackboneCubemapped::positionWhereDue(const FrameContext
     }
     const float size = context.scene.bounds().diagonal();
     const glm::vec3 at = standpoint(context);
-    if (Placement::due(view.coverageToCome, options.coverage, at, positions, size)) {
+    if (Placement::due(view.predictedCoverage, options.coverage, at, positions, size)) {
         return at;
     }
     if (view.missing && context.frame.camera.orthographic()) {
         const glm::vec3 across = Placement::across(context.frame.camera, at, *view.missing);
-        if (Placement::due(view.coverageToCome, options.coverage, across, positions, size)) {
+        if (Placement::due(view.predictedCoverage, options.coverage, across, positions, size)) {
             return across;
         }
     }
@@ -164,50 +165,46 @@ AoStatus BackboneCubemapped::computeTexels(CubemappedView& view) {
     }
     const std::vector<CubeMapProjector*> list = wanted(view);
     for (CubeMapProjector* projector : list) {
-        projector->tiles.setFrame(frameNumber());
+        projector->setFrame(frameNumber());
     }
-    if (AoStatus status = schedule_.compute(list); !status) {
+    if (AoStatus status = schedule_.compute(list, budget_); !status) {
         return status;
     }
     if (schedule_.begun() > 0) {
         forEachView([](CubemappedView& one) { one.cubeMapsBegun(); });
     }
-    for (CubeMapProjector* projector : view.used) {
-        if (std::exchange(projector->showsMore, false)) {
-            projector->shownMoreIn = frameNumber();
-        }
-    }
     std::ranges::copy_if(view.used, std::back_inserter(view.projected),
-                         [](const auto* projector) { return projector->shown; });
+                         [](const auto* projector) { return projector->isVisible(); });
     return {};
 }
 
 bool BackboneCubemapped::complete(const CubemappedView& view) const {
     const auto isComplete = [&](const CubeMapProjector* one) {
-        const auto asked = view.asked.find(one->id());
-        return view.feedback.frame >= one->shownMoreIn &&
-               schedule_.finished(*one, asked != view.asked.end() ? asked->second : AskedTiles());
+        const auto requested = view.requested.find(one->id());
+        return one->isSeenBy(view.feedback.frame) &&
+               schedule_.finished(*one, requested != view.requested.end() ? requested->second
+                                                                          : TileSet());
     };
-    return context_.scene.empty() ||
-           ((schedule_.atOnce() || view.surveyed()) && std::ranges::all_of(view.used, isComplete));
+    return context_.scene.empty() || ((schedule_.atOnce() || view.hasFeedback()) &&
+                                      std::ranges::all_of(view.used, isComplete));
 }
 
 AoStatus BackboneCubemapped::refineStaticView(const FrameContext& context, CubemappedView& view) {
     view.texelsComplete = complete(view);
-    view.repair.follow(context.frame,
-                       view.projected.empty() ? PixelSources::Kind::None : schedule_.pixels(),
-                       [&] { return schedule_.makePixels(view.slot); });
+    view.refiner.beginFrame(context.frame,
+                            view.projected.empty() ? RefinerKind::None : sources_.refinerKind(),
+                            [&] { return sources_.makeRefiner(view.slot); });
     AoStatus status;
-    if (view.texelsComplete && view.repair.rests() && !view.repair.done()) {
-        const double budget = schedule_.atOnce() ? HUGE_VAL : double{context.options.frameBudget};
-        status = view.repair.advance({context, projected(view)}, budget);
+    if (view.texelsComplete && view.refiner.isStatic() && !view.refiner.done()) {
+        status = view.refiner.advance({context, projected(view)},
+                                      schedule_.atOnce() ? nullptr : &budget_);
     }
-    const bool before = std::exchange(view.isConverged, view.texelsComplete && view.repair.done());
+    const bool before = std::exchange(view.isConverged, view.texelsComplete && view.refiner.done());
     if (view.isConverged && !needsTexture(view)) {
-        view.pictures.told = {};
+        view.pictures.masked = {};
     }
     view.convergedIn = view.isConverged && !before ? frameNumber() : view.convergedIn;
-    view.noteComputed(view.surveyed() || schedule_.atOnce() ? shareComputed(view.used) : 0.0F);
+    view.noteComputed(view.hasFeedback() || schedule_.atOnce() ? shareComputed(view.used) : 0.0F);
     return status;
 }
 
@@ -226,15 +223,15 @@ AoStatus BackboneCubemapped::drawVisibility(const FrameContext& context, Cubemap
                    ? AoStatus()
                    : cubeMapPasses_.projection.shade(context, projected(view), view.pictures);
     }
-    const auto told = cubeMapPasses_.projection.tell(context, projected(view), view.pictures,
-                                                     needsFallback(view));
-    if (!told) {
-        return told.status();
+    const auto masked = cubeMapPasses_.projection.tell(context, projected(view), view.pictures,
+                                                       needsFallback(view));
+    if (!masked) {
+        return masked.status();
     }
     if (needsFallback(view)) {
-        cubeMapPasses_.fallback.fillTold(context, **told);
+        cubeMapPasses_.fallback.fillTexture(context, **masked);
     }
-    return passes_.composite.blend(context, **told);
+    return passes_.composite.blend(context, **masked);
 }
 
 AoStatus BackboneCubemapped::computeVisibility(const FrameContext& context) {
@@ -261,35 +258,35 @@ AoStatus BackboneCubemapped::computeVisibility(const FrameContext& context) {
 
 AoStatus BackboneCubemapped::issueFeedback(const FrameContext& context, CubemappedView& view) {
     ++view.frames;
-    if (view.frames % view.framesToSurvey() != 0) {
+    if (view.frames % view.feedbackInterval() != 0) {
         return {};
     }
-    return cubeMapPasses_.survey.take(context,
-                                      {cubeMaps_.store(), cubeMaps_.blocks(), view.projected},
-                                      frameNumber(), view.surveys);
+    return cubeMapPasses_.survey.take(context, {cubeMaps_.atlas(), view.projected}, frameNumber(),
+                                      view.surveys);
 }
 
 // ---- What a frame needs to be known
 // --------------------------------------------------------------
 
 ProjectedCubeMaps BackboneCubemapped::projected(const CubemappedView& view) const {
-    return {cubeMaps_.store(), cubeMaps_.blocks(), view.projected, view.repair.repaired()};
+    return {cubeMaps_.atlas(), view.projected, view.refiner.refined()};
 }
 
 bool BackboneCubemapped::blurs() const {
-    return context_.options.blur.enabled && context_.options.estimator == Estimator::HorizonSplit;
+    return context_.options.blur.enabled && traitsOf(context_.options.estimator).noisy;
 }
 
 bool BackboneCubemapped::needsFallback(const CubemappedView& view) const {
     const bool any = !view.projected.empty();
-    return Fallback::due(context_, any ? view.feedback.shaded : 0.0F, any && schedule_.atOnce());
+    return ScreenSpaceFallback::due(context_, any ? view.feedback.shaded : 0.0F,
+                                    any && schedule_.atOnce());
 }
 
 float BackboneCubemapped::shareComputed(const std::vector<CubeMapProjector*>& projectors) const {
-    const int blockWeight = cubeMaps_.blocks().scale() * cubeMaps_.blocks().scale();
-    TileProgress::Share sum;
+    const int blockWeight = cubeMaps_.atlas().pages.scale() * cubeMaps_.atlas().pages.scale();
+    TileTable::Share sum;
     for (const CubeMapProjector* projector : projectors) {
-        const TileProgress::Share share = projector->tiles.share(schedule_.passes(), blockWeight);
+        const TileTable::Share share = projector->tiles().share(schedule_.passes(), blockWeight);
         sum.done += share.done;
         sum.needed += share.needed;
     }
@@ -311,8 +308,8 @@ void BackboneCubemapped::addStatistics(Statistics& statistics, const ViewState* 
     statistics.cubeMapsBuilt = schedule_.begun();
     statistics.cubeMapsEvicted = cubeMaps_.evicted();
     statistics.bytesScene = sceneGeometry_.bytes();
-    statistics.bytesKept = cubeMaps_.store().bytes();
-    statistics.bytesBuilding = schedule_.bytes();
+    statistics.bytesKept = cubeMaps_.atlas().faces.bytes();
+    statistics.bytesBuilding = sources_.bytes();
     if (view == nullptr) {
         return;
     }
@@ -322,7 +319,7 @@ void BackboneCubemapped::addStatistics(Statistics& statistics, const ViewState* 
     statistics.coverageFrame = of.feedback.frame;
     statistics.cubeMapsProjected = static_cast<int>(of.projected.size());
     statistics.converged = of.isConverged;
-    statistics.pixelsRepaired = of.repair.pixels();
+    statistics.pixelsRepaired = of.refiner.pixels();
     statistics.computed = of.computed;
 }
 

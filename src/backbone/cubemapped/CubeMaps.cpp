@@ -12,9 +12,6 @@ namespace aolib {
 
 namespace {
 
-/// Texels of rays' detail along a texel.
-constexpr int kDetailScale = 4;
-
 bool contains(const std::vector<CubeMapProjector*>& list, const CubeMapProjector* one) {
     return std::find(list.begin(), list.end(), one) != list.end();
 }
@@ -22,7 +19,7 @@ bool contains(const std::vector<CubeMapProjector*>& list, const CubeMapProjector
 } // namespace
 
 CubeMaps::CubeMaps(const BackboneContext& context, Removed removed)
-    : context_(context), removed_(std::move(removed)), store_(context.gl), blocks_(store_) {}
+    : context_(context), removed_(std::move(removed)), atlas_(context.gl) {}
 
 CubeMapProjector* CubeMaps::find(CubeMapId id) const {
     const auto found = std::find_if(projectors_.begin(), projectors_.end(),
@@ -45,58 +42,53 @@ std::vector<CubeMapProjector*> CubeMaps::nearest(const glm::vec3& camera) const 
 
 void CubeMaps::followOptions() {
     const CubeMapOptions& options = context_.options.cubeMaps;
-    const int scale = context_.options.estimator == Estimator::RayTraced ? kDetailScale : 1;
-    if (blocks_.scale() != scale) {
+    const PageKind pages = traitsOf(context_.options.estimator).pages;
+    if (atlas_.pages.kind() != pages) {
         for (const auto& projector : projectors_) {
-            projector->dropBlocks(store_, blocks_);
+            projector->releasePages();
         }
-        blocks_.setScale(scale);
+        atlas_.pages.setKind(pages);
     }
     const int limit = Eviction::layersWithin(options, context_.gl.capabilities.maxTextureLayers);
-    if (store_.faceSize() != options.faceSize || limit < store_.layers()) {
+    if (atlas_.faces.faceSize() != options.faceSize || limit < atlas_.faces.layers()) {
         for (const auto& projector : projectors_) {
-            projector->dropBlocks(store_, blocks_);
-            projector->dropFaces(store_);
-            projector->tiles = TileProgress(options.faceSize);
-            projector->dirty = true;
-            projector->shown = false;
+            projector->resize(options.faceSize);
         }
-        store_.reset(options.faceSize);
+        atlas_.faces.reset(options.faceSize);
     }
-    if (limit > store_.limit()) {
-        allowBlocks();
+    if (limit > atlas_.faces.limit()) {
+        clearDeniedPages();
     }
-    store_.setLimit(limit);
-    while (store_.spare() < 0) {
-        evict(*Eviction::victim(projectors_, {}, Eviction::For::Budget));
+    atlas_.faces.setLimit(limit);
+    while (atlas_.faces.freeLayers() < 0) {
+        evict(*victim({}, EvictionReason::Budget));
     }
 }
 
-Result<CubeMapProjector*> CubeMaps::add(const glm::vec3& position, bool byHand) {
-    auto projector = CubeMapProjector::create(context_.gl, CubeMapId{nextId_},
-                                              Placement::freePosition(context_.scene, position),
-                                              store_.faceSize());
+Result<CubeMapProjector*> CubeMaps::add(const glm::vec3& position, bool pinned) {
+    auto projector =
+        CubeMapProjector::create(context_.gl, atlas_, CubeMapId{nextId_},
+                                 Placement::freePosition(context_.scene, position), pinned);
     if (!projector) {
         return projector.status();
     }
     ++nextId_;
-    store_.reserve();
+    atlas_.faces.reserve();
     projectors_.push_back(std::make_unique<CubeMapProjector>(std::move(*projector)));
-    projectors_.back()->use.byHand = byHand;
     return projectors_.back().get();
 }
 
 void CubeMaps::remove(CubeMapProjector& projector) {
     removed_(projector);
-    projector.dropBlocks(store_, blocks_);
-    projector.dropFaces(store_);
-    store_.release();
+    projector.releasePages();
+    projector.releaseFaces();
+    atlas_.faces.unreserve();
     std::erase_if(projectors_, [&](const auto& one) { return one.get() == &projector; });
-    allowBlocks(); // there may be room for it now
+    clearDeniedPages(); // there may be room for them now
 }
 
 AoStatus CubeMaps::makeRoomAtOnce() {
-    if (makeRoom(Eviction::For::Newcomer, {}, /*atOnce=*/true)) {
+    if (makeRoom(EvictionReason::NewCubeMap, {}, /*atOnce=*/true)) {
         return {};
     }
     return {StatusCode::OutOfMemory,
@@ -105,18 +97,18 @@ AoStatus CubeMaps::makeRoomAtOnce() {
                 "Options::cubeMaps.memoryBudget or the texture layers of this context"};
 }
 
-bool CubeMaps::makeRoom(Eviction::For reason, const std::vector<CubeMapProjector*>& used,
+bool CubeMaps::makeRoom(EvictionReason reason, const std::vector<CubeMapProjector*>& used,
                         bool atOnce) {
-    while (store_.spare() < (reason == Eviction::For::Newcomer ? kFaces : 1)) {
-        CubeMapProjector* victim = Eviction::victim(projectors_, used, reason);
-        if (victim == nullptr) {
+    while (atlas_.faces.freeLayers() < (reason == EvictionReason::NewCubeMap ? kFaces : 1)) {
+        CubeMapProjector* one = victim(used, reason);
+        if (one == nullptr) {
             return false;
         }
-        if (!atOnce && victim->shown && contains(used, victim)) {
-            victim->use.retiring = true;
+        if (!atOnce && one->isVisible() && contains(used, one)) {
+            one->fadeOut();
             return false;
         }
-        evict(*victim);
+        evict(*one);
     }
     return true;
 }
@@ -124,23 +116,43 @@ bool CubeMaps::makeRoom(Eviction::For reason, const std::vector<CubeMapProjector
 void CubeMaps::evictWhereDue(const std::vector<CubeMapProjector*>& used, bool atOnce) {
     std::vector<CubeMapProjector*> left;
     for (const auto& projector : projectors_) {
-        const bool faded = projector->bias <= CubeMapProjector::kNewcomer;
-        if (projector->use.retiring && (faded || atOnce || !contains(used, projector.get()))) {
+        if (projector->state() == CubeMapProjector::State::FadingOut &&
+            (projector->isFadedOut() || atOnce || !contains(used, projector.get()))) {
             left.push_back(projector.get());
         }
     }
     for (CubeMapProjector* projector : left) {
         evict(*projector);
     }
-    const bool refused = std::any_of(projectors_.begin(), projectors_.end(), [](const auto& one) {
-        return one->use.surveysUnseen == 0 && one->tiles.refusedBlock();
+    const bool denied = std::any_of(projectors_.begin(), projectors_.end(), [](const auto& one) {
+        return one->usage().feedbackUnseen == 0 && one->tiles().hasDeniedPages();
     });
-    if (refused) {
+    if (denied) {
         std::vector<CubeMapProjector*> still = used;
         std::erase_if(still, [&](const auto* one) { return contains(left, one); });
-        if (makeRoom(Eviction::For::Block, still, atOnce)) {
-            allowBlocks();
+        if (makeRoom(EvictionReason::Page, still, atOnce)) {
+            clearDeniedPages();
         }
+    }
+}
+
+CubeMapProjector* CubeMaps::victim(const std::vector<CubeMapProjector*>& used,
+                                   EvictionReason reason) const {
+    std::vector<Eviction::Candidate> candidates;
+    for (const auto& one : projectors_) {
+        candidates.push_back({.pinned = one->isPinned(),
+                              .fadingOut = one->state() == CubeMapProjector::State::FadingOut,
+                              .inUse = contains(used, one.get()),
+                              .usage = one->usage()});
+    }
+    const auto found = Eviction::victim(candidates, reason);
+    return found ? projectors_[*found].get() : nullptr;
+}
+
+void CubeMaps::recordUsage(const std::map<CubeMapId, float>& best) {
+    for (const auto& projector : projectors_) {
+        const auto found = best.find(projector->id());
+        projector->recordUsage(found != best.end() ? found->second : 0.0F);
     }
 }
 
@@ -149,9 +161,9 @@ void CubeMaps::evict(CubeMapProjector& projector) {
     remove(projector);
 }
 
-void CubeMaps::allowBlocks() {
+void CubeMaps::clearDeniedPages() {
     for (const auto& projector : projectors_) {
-        projector->tiles.allowBlocks();
+        projector->clearDeniedPages();
     }
 }
 

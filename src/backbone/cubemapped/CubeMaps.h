@@ -2,14 +2,12 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <vector>
 
 #include "backbone/Frame.h"
-#include "backbone/cubemapped/BlockStore.h"
 #include "backbone/cubemapped/CubeMapProjector.h"
-#include "backbone/cubemapped/Eviction.h"
-#include "backbone/cubemapped/FaceStore.h"
 
 namespace aolib {
 
@@ -20,13 +18,11 @@ public:
     using Removed = std::function<void(CubeMapProjector&)>;
 
     /// @param context  outlives it.
-    /// @param removed  is told of each one before it goes.
+    /// @param removed  is called with each cube map before its removal.
     CubeMaps(const BackboneContext& context, Removed removed);
 
-    FaceStore& store() { return store_; }
-    const FaceStore& store() const { return store_; }
-    BlockStore& blocks() { return blocks_; }
-    const BlockStore& blocks() const { return blocks_; }
+    TexelAtlas& atlas() { return atlas_; }
+    const TexelAtlas& atlas() const { return atlas_; }
 
     const std::vector<std::unique_ptr<CubeMapProjector>>& all() const { return projectors_; }
     /// Null where none has the id.
@@ -34,11 +30,11 @@ public:
     /// The ones to work on in a frame, as many as the options say, nearest first.
     std::vector<CubeMapProjector*> nearest(const glm::vec3& camera) const;
 
-    /// Follows the options' face size and memory budget, and what their estimator needs blocks for.
+    /// Follows the options' face size and memory budget, and what their estimator needs pages for.
     void followOptions();
     /// One more, of which nothing is computed yet. There must be room for it.
     /// Errors: as CubeMapProjector::create().
-    Result<CubeMapProjector*> add(const glm::vec3& position, bool byHand);
+    Result<CubeMapProjector*> add(const glm::vec3& position, bool pinned);
     void remove(CubeMapProjector& projector);
 
     /// Makes room for one more. Errors: OutOfMemory (those placed by hand take all of it).
@@ -47,20 +43,26 @@ public:
     /// @param used    by the frame.
     /// @param atOnce  nothing fades.
     /// @return whether there is room now.
-    bool makeRoom(Eviction::For reason, const std::vector<CubeMapProjector*>& used, bool atOnce);
-    /// Has those go that have faded out, and makes room for blocks that are in view.
+    bool makeRoom(EvictionReason reason, const std::vector<CubeMapProjector*>& used, bool atOnce);
+    /// Has those go that have faded out, and makes room for pages that are in view.
     void evictWhereDue(const std::vector<CubeMapProjector*>& used, bool atOnce);
     /// How many went for the budget's sake.
     std::uint64_t evicted() const { return evicted_; }
 
+    /// Records which share of a view's surfaces each cube map is the best for; 0 for those that are
+    /// not named.
+    void recordUsage(const std::map<CubeMapId, float>& best);
+
 private:
+    /// The cube map that is missed least; null where none may go.
+    CubeMapProjector* victim(const std::vector<CubeMapProjector*>& used,
+                             EvictionReason reason) const;
     void evict(CubeMapProjector& projector);
-    void allowBlocks();
+    void clearDeniedPages();
 
     const BackboneContext context_;
     Removed removed_;
-    FaceStore store_;
-    BlockStore blocks_;
+    TexelAtlas atlas_;
     std::vector<std::unique_ptr<CubeMapProjector>> projectors_;
     std::uint32_t nextId_ = 1;
     std::uint64_t evicted_ = 0;

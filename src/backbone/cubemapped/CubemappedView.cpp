@@ -18,36 +18,36 @@ constexpr float kAlmost = 0.99F;
 void CubemappedView::cubeMapsChanged() {
     surveys.restart();
     feedbackIsCurrent = false;
-    coverageToCome.reset();
+    predictedCoverage.reset();
     missing.reset();
     cubeMapsBegun();
 }
 
 void CubemappedView::cubeMapsBegun() {
-    repair.lookAgain();
+    refiner.invalidate();
     isConverged = false;
 }
 
 void CubemappedView::restart() {
-    repair.restart();
+    refiner.restart();
     isConverged = false;
     computed = 0.0F;
 }
 
 void CubemappedView::sceneChanged(const std::vector<Scene::Change>& changes, float reach,
                                   bool texels) {
-    repair.sceneChanged(changes, reach, texels);
+    refiner.sceneChanged(changes, reach, texels);
     isConverged = false;
     computed = 0.0F;
 }
 
-void CubemappedView::cubeMapGoes(CubeMapProjector& projector) {
+void CubemappedView::forgetCubeMap(CubeMapProjector& projector) {
     std::erase(used, &projector);
     std::erase(projected, &projector);
-    asked.erase(projector.id());
+    requested.erase(projector.id());
 }
 
-void CubemappedView::follow(const Frame& frame, std::uint64_t number) {
+void CubemappedView::beginFrame(const Frame& frame, std::uint64_t number) {
     const Sight now{frame.camera, frame.size, frame.clip};
     if (shows != now) {
         shows = now;
@@ -56,16 +56,16 @@ void CubemappedView::follow(const Frame& frame, std::uint64_t number) {
     }
 }
 
-bool CubemappedView::nothingToSurvey() const {
+bool CubemappedView::feedbackIsUpToDate() const {
     return isConverged && feedbackIsCurrent && feedback.frame >= convergedIn &&
            feedback.frame >= restsSince;
 }
 
-std::uint64_t CubemappedView::framesToSurvey() const {
-    if (nothingToSurvey()) {
+std::uint64_t CubemappedView::feedbackInterval() const {
+    if (feedbackIsUpToDate()) {
         return kSurveyEveryAtRest;
     }
-    return feedbackIsCurrent && !repair.rests() ? kSurveyEveryMoving : 1;
+    return feedbackIsCurrent && !refiner.isStatic() ? kSurveyEveryMoving : 1;
 }
 
 void CubemappedView::noteComputed(float share) {

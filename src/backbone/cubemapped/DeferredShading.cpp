@@ -32,7 +32,7 @@ constexpr Smoothing kSmoothingOfFew{2, 1.0F};
 constexpr int kApron = kSmoothing.reach;
 
 /// Where a face's first texel would lie in what accumulates the surfaces behind one of its tiles.
-glm::ivec2 behindOrigin(const TileProgress::Region& region) {
+glm::ivec2 hiddenOrigin(const TileTable::Region& region) {
     return kApron - glm::ivec2(region.x, region.y);
 }
 
@@ -56,16 +56,11 @@ Result<DeferredShading> DeferredShading::create(const BackboneContext& context) 
     return shading;
 }
 
-int DeferredShading::passes(const Options& options) {
-    return options.estimator == Estimator::LayeredIntervals ? options.layeredIntervals.slices : 1;
-}
-
 AoStatus DeferredShading::chooseEstimator(const BackboneContext& context) {
-    const Estimator estimator = context.options.estimator;
-    if (estimator_ == estimator || estimator == Estimator::RayTraced) {
+    const EstimatorTraits& traits = traitsOf(context.options.estimator);
+    if (estimator_ == traits.estimator || traits.needsTracer) {
         return {};
     }
-    const EstimatorTraits traits = traitsOf(estimator);
     auto visibility = buildShader(context.gl, "fullscreen.vert",
                                   "cubemap/visibility_" + std::string(traits.shader) + ".frag");
     if (!visibility) {
@@ -79,7 +74,7 @@ AoStatus DeferredShading::chooseEstimator(const BackboneContext& context) {
     }
     visibility_ = std::move(*visibility);
     resolve_ = std::move(*resolve);
-    estimator_ = estimator;
+    estimator_ = traits.estimator;
     return {};
 }
 
@@ -121,31 +116,31 @@ DeferredShading::surroundings(const BackboneContext& context, const SceneGeometr
 
 Result<CubeMapCapture> DeferredShading::begin(const BackboneContext& context,
                                               const SceneGeometry& geometry,
-                                              CubeMapProjector& projector, FaceStore& store,
-                                              BlockStore& blocks) {
-    auto around = surroundings(context, geometry, projector.position(), projector.tiles.faceSize());
+                                              CubeMapProjector& projector) {
+    auto around =
+        surroundings(context, geometry, projector.position(), projector.tiles().faceSize());
     if (!around) {
         return around.status();
     }
-    projector.spanDistances(store, blocks, around->range.nearest, around->range.farthest);
+    projector.spanDistances(around->range.nearest, around->range.farthest);
     CubeMapCapture capture;
     capture.geometry = std::move(around->capture);
     return capture;
 }
 
 AoStatus DeferredShading::step(const BackboneContext& context, CubeMapCapture& capture,
-                               CubeMapProjector& projector, FaceStore& store) {
+                               CubeMapProjector& projector) {
     if (!capture.geometry->complete()) {
         return capture.geometry->step();
     }
     if (capture.accumulated) {
-        projector.captured = capture.geometry->layers();
-        projector.captureBytes = std::max(capture.geometry->mostBytes(), capture.bytes());
-        const AoStatus status = projector.keepFaces(store, capture.geometry->modelled());
+        projector.recordCapture(capture.geometry->layers(),
+                                std::max(capture.geometry->mostBytes(), capture.bytes()));
+        const AoStatus status = projector.allocateFaces(capture.geometry->modelled());
         capture.ready = status.ok();
         return status;
     }
-    const int size = projector.tiles.faceSize();
+    const int size = projector.tiles().faceSize();
     auto accumulated = gl::RenderToTexture2D::create(
         context.gl, {.width = kFaces * size,
                      .height = size,
@@ -199,7 +194,7 @@ void DeferredShading::keep(const BackboneContext& context, const CubeMapCapture&
 }
 
 void DeferredShading::accumulate(const BackboneContext& context, const CubeMapCapture& capture,
-                                 const TileProgress::Region& region, int first, int count) {
+                                 const TileTable::Region& region, int first, int count) {
     const glm::ivec2 origin(region.face * capture.accumulated.height(), 0);
     capture.accumulated.begin(0);
     gl::setViewport(context.gl, origin.x + region.x, region.y, region.width, region.height);
@@ -208,40 +203,39 @@ void DeferredShading::accumulate(const BackboneContext& context, const CubeMapCa
 
 void DeferredShading::resolve(const BackboneContext& context, const CubeMapCapture& capture,
                               const CubeMapProjector& projector, const FaceStore& store,
-                              const TileProgress::Region& region, float share) {
+                              const TileTable::Region& region, float share) {
     const glm::ivec2 origin(region.face * capture.accumulated.height(), 0);
-    store.begin(projector.layer(region.face));
+    store.bindAsTarget(projector.layer(region.face));
     gl::setViewport(context.gl, region.x, region.y, region.width, region.height);
     keep(context, capture, projector, {region.face, 0, origin}, capture.accumulated, {}, share);
 }
 
-AoStatus DeferredShading::accumulateBehind(const BackboneContext& context, CubeMapCapture& capture,
-                                           const TileProgress::Region& region, int layer,
-                                           int pass) {
-    constexpr int kEdge = TileProgress::kTile + 2 * kApron;
+AoStatus DeferredShading::accumulateHidden(const BackboneContext& context, CubeMapCapture& capture,
+                                           const TileTable::Region& region, int layer, int pass) {
+    constexpr int kEdge = TileTable::kTile + 2 * kApron;
     if (AoStatus status =
-            capture.behind.become(context.gl, {.width = kEdge,
+            capture.hidden.become(context.gl, {.width = kEdge,
                                                .height = kEdge,
                                                .targets = {gl::RenderToTexture2D::Format::RG32F},
-                                               .label = "aolib/accumulated/behind"});
+                                               .label = "aolib/accumulated/hidden"});
         !status) {
         return status;
     }
-    capture.behind.begin(0);
+    capture.hidden.begin(0);
     if (pass == 0) {
         const std::array<GLfloat, 4> nothing{};
         context.gl.ClearBufferfv(GL_COLOR, 0, nothing.data());
     }
-    addPasses(context, capture, {region.face, layer, behindOrigin(region)}, pass, 1);
+    addPasses(context, capture, {region.face, layer, hiddenOrigin(region)}, pass, 1);
     return {};
 }
 
-void DeferredShading::resolveBehind(const BackboneContext& context, const CubeMapCapture& capture,
-                                    const CubeMapProjector& projector, const BlockStore& blocks,
-                                    int block, const TileProgress::Region& region, int layer) {
-    const glm::ivec2 at = blocks.begin(block);
+void DeferredShading::resolveHidden(const BackboneContext& context, const CubeMapCapture& capture,
+                                    const CubeMapProjector& projector, const PageStore& pages,
+                                    int page, const TileTable::Region& region, int layer) {
+    const glm::ivec2 at = pages.bindAsTarget(page);
     gl::setViewport(context.gl, at.x, at.y, region.width, region.height);
-    keep(context, capture, projector, {region.face, layer, behindOrigin(region)}, capture.behind,
+    keep(context, capture, projector, {region.face, layer, hiddenOrigin(region)}, capture.hidden,
          at - glm::ivec2(region.x, region.y), 1.0F);
 }
 

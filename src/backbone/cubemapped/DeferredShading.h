@@ -15,13 +15,13 @@ namespace aolib {
 struct CubeMapCapture {
     std::unique_ptr<AbstractCapture> geometry;
     gl::RenderToTexture2D accumulated; ///< six faces side by side: blocked weight, weight
-    gl::RenderToTexture2D behind; ///< the same of the surfaces behind a tile, and a texel about
+    gl::RenderToTexture2D hidden; ///< the same of the surfaces behind a tile, and a texel about
     bool ready = false;           ///< texels can be computed
 
     WorkUnit next() const { return geometry->complete() ? WorkUnit::Prepare : geometry->next(); }
     bool waits() const { return !geometry->complete() && geometry->waits(); }
     std::size_t bytes() const {
-        return geometry->bytes() + accumulated.bytes() + (behind ? behind.bytes() : 0);
+        return geometry->bytes() + accumulated.bytes() + (hidden ? hidden.bytes() : 0);
     }
 };
 
@@ -32,9 +32,6 @@ class DeferredShading {
 public:
     /// Errors: ShaderError.
     static Result<DeferredShading> create(const BackboneContext& context);
-
-    /// Passes until the options' estimate is complete.
-    static int passes(const Options& options);
 
     /// What the options' estimator reads of the surroundings of a point, not captured yet.
     struct Surroundings {
@@ -49,28 +46,28 @@ public:
 
     /// Begins a capture. Errors: NoScene, ShaderError. @param context  outlives it.
     Result<CubeMapCapture> begin(const BackboneContext& context, const SceneGeometry& geometry,
-                                 CubeMapProjector& projector, FaceStore& store, BlockStore& blocks);
+                                 CubeMapProjector& projector);
     /// The next unit of a capture that is not ready; the last ones make room for what is computed,
     /// and for the faces that hold geometry. Waits if the capture does. Errors: MissingCapability,
     /// OutOfMemory.
     static AoStatus step(const BackboneContext& context, CubeMapCapture& capture,
-                         CubeMapProjector& projector, FaceStore& store);
+                         CubeMapProjector& projector);
     /// Adds passes [first, first + count) to the texels of a region.
     void accumulate(const BackboneContext& context, const CubeMapCapture& capture,
-                    const TileProgress::Region& region, int first, int count);
+                    const TileTable::Region& region, int first, int count);
     /// Writes what has been found of a region to the store. @param share  of all passes it has had
     void resolve(const BackboneContext& context, const CubeMapCapture& capture,
                  const CubeMapProjector& projector, const FaceStore& store,
-                 const TileProgress::Region& region, float share);
+                 const TileTable::Region& region, float share);
 
     /// A pass over the surfaces of a tile that lie behind `layer` others, from pass 0 to the last
     /// one before those of another tile or layer. Errors: OutOfMemory, MissingCapability.
-    AoStatus accumulateBehind(const BackboneContext& context, CubeMapCapture& capture,
-                              const TileProgress::Region& region, int layer, int pass);
+    AoStatus accumulateHidden(const BackboneContext& context, CubeMapCapture& capture,
+                              const TileTable::Region& region, int layer, int pass);
     /// Writes what all passes have found of them to a block.
-    void resolveBehind(const BackboneContext& context, const CubeMapCapture& capture,
-                       const CubeMapProjector& projector, const BlockStore& blocks, int block,
-                       const TileProgress::Region& region, int layer);
+    void resolveHidden(const BackboneContext& context, const CubeMapCapture& capture,
+                       const CubeMapProjector& projector, const PageStore& pages, int page,
+                       const TileTable::Region& region, int layer);
 
 private:
     /// Receivers of a face: those of its first surfaces, or of the ones behind.

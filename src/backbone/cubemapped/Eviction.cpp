@@ -3,45 +3,50 @@
 #include <algorithm>
 #include <cmath>
 
+#include "backbone/cubemapped/FaceStore.h"
+
 namespace aolib {
 
 namespace {
 
-/// What a survey counts for in the running mean of usefulness: the last hundred make most of it.
-/// Nobody having seen a cube map since, it falls on: the longest forgotten are missed least.
+/// Weight of a feedback result in the running mean of usefulness: the last hundred make most of
+/// it. It falls on while no view shows the cube map, so that the longest unseen are evicted first.
 constexpr float kWeight = 1.0F / 64.0F;
-/// Surveys for which a complete cube map stays in any case, so that two views that need more than
-/// there is room for do not make each other's from frame to frame.
+/// Feedback results for which a complete cube map stays in any case, so that two views that need
+/// more than there is room for do not evict each other's from frame to frame.
 constexpr int kStay = 32;
-/// Surveys in which a cube map was best nowhere until a block that is seen is worth more.
+/// Feedback results in which a cube map was best nowhere until a page that is seen is worth more.
 constexpr int kUnseen = 32;
 
 constexpr double kMiB = 1024.0 * 1024.0;
 
-bool mayGo(const CubeMapProjector& cubeMap, bool inUse, Eviction::For reason) {
-    if (reason == Eviction::For::Budget) {
+bool isEvictable(const Eviction::Candidate& one, EvictionReason reason) {
+    if (reason == EvictionReason::Budget) {
         return true;
     }
-    const CubeMapProjector::Use& use = cubeMap.use;
-    const bool settled = !inUse || use.retiring || use.surveysComplete >= kStay;
-    const bool unseen = reason == Eviction::For::Newcomer || use.surveysUnseen >= kUnseen;
-    return !use.byHand && settled && unseen;
+    const bool settled = !one.inUse || one.fadingOut || one.usage.feedbackComplete >= kStay;
+    const bool unseen = reason == EvictionReason::NewCubeMap || one.usage.feedbackUnseen >= kUnseen;
+    return !one.pinned && settled && unseen;
 }
 
 /// Whether the first is missed less.
-bool missedLess(const CubeMapProjector& a, const CubeMapProjector& b) {
-    const CubeMapProjector::Use& one = a.use;
-    const CubeMapProjector::Use& other = b.use;
-    if (one.byHand != other.byHand) {
-        return other.byHand;
+bool missedLess(const Eviction::Candidate& a, const Eviction::Candidate& b) {
+    if (a.pinned != b.pinned) {
+        return b.pinned;
     }
-    if (one.retiring != other.retiring) {
-        return one.retiring; // it goes already
+    if (a.fadingOut != b.fadingOut) {
+        return a.fadingOut;
     }
-    return one.usefulness < other.usefulness;
+    return a.usage.usefulness < b.usage.usefulness;
 }
 
 } // namespace
+
+void CubeMapUsage::record(float share, bool complete) {
+    usefulness += kWeight * (share - usefulness);
+    feedbackUnseen = share > 0.0F ? 0 : feedbackUnseen + 1;
+    feedbackComplete += complete ? 1 : 0;
+}
 
 int Eviction::layersWithin(const CubeMapOptions& options, int most) {
     if (options.memoryBudget <= 0.0F) {
@@ -53,25 +58,13 @@ int Eviction::layersWithin(const CubeMapOptions& options, int most) {
     return static_cast<int>(std::min(layers, static_cast<double>(most)));
 }
 
-void Eviction::follow(std::span<const std::unique_ptr<CubeMapProjector>> cubeMaps,
-                      const std::map<CubeMapId, float>& best) {
-    for (const auto& cubeMap : cubeMaps) {
-        const auto found = best.find(cubeMap->id());
-        const float share = found != best.end() ? found->second : 0.0F;
-        CubeMapProjector::Use& use = cubeMap->use;
-        use.usefulness += kWeight * (share - use.usefulness);
-        use.surveysUnseen = share > 0.0F ? 0 : use.surveysUnseen + 1;
-        use.surveysComplete += cubeMap->bias >= 0.0F ? 1 : 0;
-    }
-}
-
-CubeMapProjector* Eviction::victim(std::span<const std::unique_ptr<CubeMapProjector>> cubeMaps,
-                                   const std::vector<CubeMapProjector*>& used, For reason) {
-    CubeMapProjector* least = nullptr;
-    for (const auto& cubeMap : cubeMaps) {
-        const bool inUse = std::find(used.begin(), used.end(), cubeMap.get()) != used.end();
-        if (mayGo(*cubeMap, inUse, reason) && (least == nullptr || missedLess(*cubeMap, *least))) {
-            least = cubeMap.get();
+std::optional<std::size_t> Eviction::victim(std::span<const Candidate> candidates,
+                                            EvictionReason reason) {
+    std::optional<std::size_t> least;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        if (isEvictable(candidates[i], reason) &&
+            (!least || missedLess(candidates[i], candidates[*least]))) {
+            least = i;
         }
     }
     return least;

@@ -1,16 +1,32 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <map>
-#include <memory>
+#include <optional>
 #include <span>
-#include <vector>
 
 #include <aolib/Options.h>
 
-#include "backbone/cubemapped/CubeMapProjector.h"
-
 namespace aolib {
+
+/// What a cube map is worth to the views.
+struct CubeMapUsage {
+    float usefulness = 1.0F;  ///< running mean of the share of surfaces that it is the best for
+    int feedbackUnseen = 0;   ///< results of the feedback pass since it was the best for any
+    int feedbackComplete = 0; ///< results since it faded in
+
+    /// Records a result of the feedback pass.
+    /// @param share     of the view's surfaces that it is the best for
+    /// @param complete  it has faded in
+    void record(float share, bool complete);
+};
+
+/// What room is made for.
+enum class EvictionReason : std::uint8_t {
+    NewCubeMap,
+    Page,   ///< of a cube map that is seen: only those that no view has shown lately give way
+    Budget, ///< which has shrunk: even pinned ones give way
+};
 
 /// Decides which cube map gives way where the memory budget has no room for another. No GL.
 class Eviction {
@@ -18,23 +34,18 @@ public:
     /// Layers of the face store that the budget has room for, at most `most`.
     static int layersWithin(const CubeMapOptions& options, int most);
 
-    /// Follows how useful cube maps are.
-    /// @param best  share of the surfaces in the latest view that each is the best for; none for
-    ///              those that are best nowhere.
-    static void follow(std::span<const std::unique_ptr<CubeMapProjector>> cubeMaps,
-                       const std::map<CubeMapId, float>& best);
-
-    enum class For : std::uint8_t {
-        Newcomer, ///< another cube map
-        Block,    ///< of one that is seen: only cube maps that nobody has seen of late give way
-        Budget,   ///< which has shrunk: even those placed by hand give way
+    /// A cube map that may give way.
+    struct Candidate {
+        bool pinned = false;    ///< the host placed it
+        bool fadingOut = false; ///< it was chosen before
+        bool inUse = false;     ///< by the frame
+        CubeMapUsage usage;
     };
-    /// The cube map that is missed least, null where none may go. Those placed by hand stay, and so
-    /// does what is in use and has not been complete for some time: what was computed is shown
-    /// before it is thrown away.
-    /// @param used  by the frame.
-    static CubeMapProjector* victim(std::span<const std::unique_ptr<CubeMapProjector>> cubeMaps,
-                                    const std::vector<CubeMapProjector*>& used, For reason);
+    /// The number of the candidate that is missed least; none where none may go. Pinned ones stay,
+    /// and so does what is in use and has been complete for a short time only: what was computed is
+    /// shown before it is evicted.
+    static std::optional<std::size_t> victim(std::span<const Candidate> candidates,
+                                             EvictionReason reason);
 };
 
 } // namespace aolib

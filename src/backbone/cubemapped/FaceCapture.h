@@ -9,7 +9,7 @@
 
 #include "backbone/Frame.h"
 #include "backbone/SceneGeometry.h"
-#include "backbone/cubemapped/TileProgress.h"
+#include "backbone/cubemapped/TileTable.h"
 
 namespace aolib {
 

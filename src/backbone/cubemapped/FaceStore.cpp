@@ -21,21 +21,21 @@ constexpr int kGrowth = 6;
 void FaceStore::reset(int faceSize) {
     visibility_ = {};
     depth_ = {};
-    pages_ = {};
-    slots_.clear();
+    pageTable_ = {};
+    layers_.clear();
     faceSize_ = faceSize;
     unreserved_ = 0;
 }
 
 bool FaceStore::reserve() {
-    const bool room = spare() >= kFaces;
+    const bool room = freeLayers() >= kFaces;
     reserved_ += room ? kFaces : 0;
     return room;
 }
 
 AoStatus FaceStore::grow() {
-    const int layers = std::min(slots_.count() + kGrowth, limit_);
-    if (layers <= slots_.count()) {
+    const int layers = std::min(layers_.count() + kGrowth, limit_);
+    if (layers <= layers_.count()) {
         return {StatusCode::OutOfMemory, "aolib/faces: all " + std::to_string(limit_) +
                                              " layers that there is room for are taken"};
     }
@@ -63,61 +63,61 @@ AoStatus FaceStore::grow() {
     if (!pages) {
         return pages.status();
     }
-    if (!slots_.empty()) {
+    if (!layers_.empty()) {
         visibility->copyFrom(visibility_);
         depth->copyFrom(depth_);
-        pages->copyFrom(pages_);
+        pages->copyFrom(pageTable_);
     }
-    pages_ = std::move(*pages);
+    pageTable_ = std::move(*pages);
     visibility_ = std::move(*visibility);
     depth_ = std::move(*depth);
-    slots_.growTo(layers);
+    layers_.growTo(layers);
     return {};
 }
 
-Result<int> FaceStore::take() {
-    if (spare() < 1) {
+Result<int> FaceStore::allocate() {
+    if (freeLayers() < 1) {
         return AoStatus(StatusCode::OutOfMemory,
                         "aolib/faces: all " + std::to_string(limit_) +
                             " layers that there is room for are taken or set aside");
     }
-    const auto layer = takeReserved();
+    const auto layer = allocateReserved();
     unreserved_ += layer ? 1 : 0;
     return layer;
 }
 
-void FaceStore::giveBack(int layer) {
+void FaceStore::release(int layer) {
     --unreserved_;
-    giveBackReserved(layer);
+    releaseReserved(layer);
 }
 
-Result<int> FaceStore::takeReserved() {
-    std::optional<int> taken = slots_.take();
-    if (!taken) {
+Result<int> FaceStore::allocateReserved() {
+    std::optional<int> allocated = layers_.allocate();
+    if (!allocated) {
         if (AoStatus status = grow(); !status) {
             return status;
         }
-        taken = slots_.take();
+        allocated = layers_.allocate();
     }
-    const int layer = *taken;
+    const int layer = *allocated;
     const std::array<GLfloat, 4> open{1.0F, 0.0F, 0.0F, 0.0F};
     const std::array<GLfloat, 4> nothing{};
-    begin(layer);
+    bindAsTarget(layer);
     gl_->ClearBufferfv(GL_COLOR, 0, open.data());
     gl_->ClearBufferfv(GL_COLOR, 1, nothing.data());
     const int tiles = tilesPerEdge(faceSize_);
     const std::vector<std::uint16_t> none(2 * static_cast<std::size_t>(tiles * tiles));
-    pages_.upload(layer, {0, 0}, {tiles, tiles}, none.data());
+    pageTable_.upload(layer, {0, 0}, {tiles, tiles}, none.data());
     return layer;
 }
 
-void FaceStore::giveBackReserved(int layer) {
-    if (slots_.giveBack(layer)) {
+void FaceStore::releaseReserved(int layer) {
+    if (layers_.release(layer)) {
         reset(faceSize_);
     }
 }
 
-void FaceStore::begin(int layer) const {
+void FaceStore::bindAsTarget(int layer) const {
     constexpr std::array<GLenum, 2> kBoth{GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
     gl::useTargets(*gl_, static_cast<int>(kBoth.size()));
     gl_->BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
@@ -127,8 +127,8 @@ void FaceStore::begin(int layer) const {
     gl::setViewport(*gl_, 0, 0, faceSize_, faceSize_);
 }
 
-void FaceStore::beginRead(int layer, int which) const {
-    begin(layer);
+void FaceStore::bindForReading(int layer, int which) const {
+    bindAsTarget(layer);
     gl_->ReadBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(which));
 }
 
@@ -139,17 +139,18 @@ void FaceStore::upload(int layer, const glm::ivec2& at, const glm::ivec2& size,
     depth_.upload(layer, at, size, depth.data());
 }
 
-void FaceStore::setPage(int layer, const glm::ivec2& tile, const std::optional<Page>& page) const {
+void FaceStore::setPage(int layer, const glm::ivec2& tile,
+                        const std::optional<PageLocation>& page) const {
     std::array<std::uint16_t, 2> code{};
     if (page) {
         code = {static_cast<std::uint16_t>(page->layer + 1),
-                static_cast<std::uint16_t>(page->at.x | page->at.y << 8)};
+                static_cast<std::uint16_t>(page->place.x | page->place.y << 8)};
     }
-    pages_.upload(layer, tile, {1, 1}, code.data());
+    pageTable_.upload(layer, tile, {1, 1}, code.data());
 }
 
 void FaceStore::bindPages(gl::GLSLShader& shader, int unit) const {
-    pages_.bind(unit);
+    pageTable_.bind(unit);
     shader.set("uPages", unit);
 }
 
@@ -162,7 +163,7 @@ void FaceStore::bind(gl::GLSLShader& shader, int visibilityUnit, int depthUnit) 
 }
 
 std::size_t FaceStore::bytes() const {
-    return slots_.empty() ? 0 : visibility_.bytes() + depth_.bytes() + pages_.bytes();
+    return layers_.empty() ? 0 : visibility_.bytes() + depth_.bytes() + pageTable_.bytes();
 }
 
 } // namespace aolib

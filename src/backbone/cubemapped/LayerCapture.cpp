@@ -22,7 +22,7 @@ constexpr double kShareOfCracks = 0.02;
 constexpr int kViewUnit = 3; ///< texture unit of the view's layers
 
 AoStatus notShown() {
-    return {StatusCode::OutOfMemory, "aolib/peel: GL does not show what was read back"};
+    return {StatusCode::OutOfMemory, "aolib/peel: mapping the readback buffer failed"};
 }
 
 } // namespace

@@ -17,11 +17,11 @@ constexpr int kVisibilityUnit = 1;
 constexpr int kCubeDepthUnit = 2;
 constexpr int kPagesUnit = 3;
 constexpr int kBestUnit = 4;
-constexpr int kRepairedUnit = 5;
+constexpr int kRefinedUnit = 5;
 constexpr int kHalfUnit = 6;
-/// Defined in the shaders that look at blocks and at repaired pixels, too.
-constexpr const char* kWithBlocks = "AO_BLOCKS";
-constexpr const char* kRepaired = "AO_REPAIRED";
+/// Defined in the shaders that look at pages and at refined pixels, too.
+constexpr const char* kWithPages = "AO_PAGES";
+constexpr const char* kWithRefined = "AO_REFINED";
 
 /// Two faces' layers as one number, as shaders/cubemap/projection.glsl takes them apart.
 int pairOfLayers(const CubeMapProjector& projector, int face) {
@@ -43,15 +43,15 @@ const std::vector<CubeMapProjector*> kNoProjectors;
 Result<Projection> Projection::create(const BackboneContext& context) {
     Projection projection;
     for (std::size_t variant = 0; variant < projection.shade_.size(); ++variant) {
-        const char* blocks = variant % 2 == 1 ? kWithBlocks : "";
-        const char* repaired = variant / 2 == 1 ? kRepaired : "";
+        const char* pages = variant % 2 == 1 ? kWithPages : "";
+        const char* refined = variant / 2 == 1 ? kWithRefined : "";
         auto project =
-            buildShader(context.gl, "fullscreen.vert", "cubemap/project.frag", {blocks, repaired});
+            buildShader(context.gl, "fullscreen.vert", "cubemap/project.frag", {pages, refined});
         if (!project) {
             return project.status();
         }
         auto shade =
-            buildShader(context.gl, "fullscreen.vert", "cubemap/shade.frag", {blocks, repaired});
+            buildShader(context.gl, "fullscreen.vert", "cubemap/shade.frag", {pages, refined});
         if (!shade) {
             return shade.status();
         }
@@ -59,14 +59,14 @@ Result<Projection> Projection::create(const BackboneContext& context) {
         projection.shade_[variant] = std::move(*shade);
     }
     for (std::size_t variant = 0; variant < projection.upsample_.size(); ++variant) {
-        const char* repaired = variant == 1 ? kRepaired : "";
+        const char* refined = variant == 1 ? kWithRefined : "";
         auto shade =
-            buildShader(context.gl, "fullscreen.vert", "cubemap/shade_half.frag", {repaired});
+            buildShader(context.gl, "fullscreen.vert", "cubemap/shade_half.frag", {refined});
         if (!shade) {
             return shade.status();
         }
         auto upsample =
-            buildShader(context.gl, "fullscreen.vert", "cubemap/upsample.frag", {repaired});
+            buildShader(context.gl, "fullscreen.vert", "cubemap/upsample.frag", {refined});
         if (!upsample) {
             return upsample.status();
         }
@@ -77,7 +77,8 @@ Result<Projection> Projection::create(const BackboneContext& context) {
 }
 
 gl::GLSLShader& Projection::variant(Variants& shaders, const ProjectedCubeMaps& cubeMaps) {
-    return shaders[(cubeMaps.blocks.empty() ? 0U : 1U) + (cubeMaps.refined == nullptr ? 0U : 2U)];
+    return shaders[(cubeMaps.atlas.pages.empty() ? 0U : 1U) +
+                   (cubeMaps.refined == nullptr ? 0U : 2U)];
 }
 
 void Projection::bind(gl::GLSLShader& shader, const FrameContext& context,
@@ -91,24 +92,24 @@ void Projection::bind(gl::GLSLShader& shader, const FrameContext& context,
     shader.set("uCubeVisibility", kVisibilityUnit);
     shader.set("uCubeDepth", kCubeDepthUnit);
     shader.set("uPages", kPagesUnit);
-    shader.set("uRepaired", kRepairedUnit);
+    shader.set("uRefined", kRefinedUnit);
     if (cubeMaps.refined != nullptr) {
-        cubeMaps.refined->bind(kRepairedUnit);
+        cubeMaps.refined->bind(kRefinedUnit);
     }
-    if (cubeMaps.faces.empty() || cubeMaps.list.empty()) {
+    if (cubeMaps.atlas.faces.empty() || cubeMaps.list.empty()) {
         return;
     }
-    cubeMaps.faces.bind(shader, kVisibilityUnit, kCubeDepthUnit);
-    cubeMaps.faces.bindPages(shader, kPagesUnit);
+    cubeMaps.atlas.faces.bind(shader, kVisibilityUnit, kCubeDepthUnit);
+    cubeMaps.atlas.faces.bindPages(shader, kPagesUnit);
     shader.set("uReach", reachOfTexels(context.options));
-    shader.set("uBlockScale", cubeMaps.blocks.scale());
+    shader.set("uPageScale", cubeMaps.atlas.pages.scale());
     std::vector<glm::vec4> toEye;
     std::vector<glm::vec4> codes;
     std::vector<glm::ivec4> layers;
     for (const CubeMapProjector* projector : cubeMaps.list) {
         toEye.emplace_back(
             glm::vec3(context.frame.camera.eye() - glm::dvec3(projector->position())),
-            std::exp2(projector->bias));
+            std::exp2(projector->fade()));
         codes.emplace_back(projector->depthCode(), 0.0F, 0.0F);
         layers.emplace_back(pairOfLayers(*projector, 0), pairOfLayers(*projector, 2),
                             pairOfLayers(*projector, 4), 0);
@@ -120,7 +121,7 @@ void Projection::bind(gl::GLSLShader& shader, const FrameContext& context,
 
 void Projection::bindHalf(gl::GLSLShader& shader, const FrameContext& context,
                           const ProjectedCubeMaps& cubeMaps, const gl::RenderToTexture2D& half) {
-    bind(shader, context, {cubeMaps.faces, cubeMaps.blocks, kNoProjectors, cubeMaps.refined});
+    bind(shader, context, {cubeMaps.atlas, kNoProjectors, cubeMaps.refined});
     half.bindTexture(0, kHalfUnit);
     shader.set("uHalf", kHalfUnit);
 }
@@ -163,11 +164,11 @@ Result<const gl::RenderToTexture2D*> Projection::tell(const FrameContext& contex
                                                       ProjectedPictures& pictures, bool withDepth) {
     const gl::DebugGroup group(context.gl, "aolib: project");
     if (AoStatus status =
-            pictures.told.become(context.gl, {.width = context.frame.size.x,
-                                              .height = context.frame.size.y,
-                                              .targets = {gl::RenderToTexture2D::Format::R32F},
-                                              .depth = gl::RenderToTexture2D::Depth::Depth16,
-                                              .label = "aolib/frame/told"});
+            pictures.masked.become(context.gl, {.width = context.frame.size.x,
+                                                .height = context.frame.size.y,
+                                                .targets = {gl::RenderToTexture2D::Format::R32F},
+                                                .depth = gl::RenderToTexture2D::Depth::Depth16,
+                                                .label = "aolib/frame/masked"});
         !status) {
         return status;
     }
@@ -181,7 +182,7 @@ Result<const gl::RenderToTexture2D*> Projection::tell(const FrameContext& contex
     (*shader)->set("uOrigin", glm::ivec2(0));
     (*shader)->set("uContrast", 1.0F);
     (*shader)->set("uKnownAlone", 1);
-    pictures.told.begin(0);
+    pictures.masked.begin(0);
     gl.ClearBufferfv(GL_COLOR, 0, kUnknown);
     if (withDepth) {
         gl.ClearBufferfv(GL_DEPTH, 0, &kFar);
@@ -191,7 +192,7 @@ Result<const gl::RenderToTexture2D*> Projection::tell(const FrameContext& contex
     context.generated.drawFullscreen();
     gl.DepthFunc(GL_LESS);
     gl.Disable(GL_DEPTH_TEST);
-    return &pictures.told;
+    return &pictures.masked;
 }
 
 AoStatus Projection::prepare(const BackboneContext& context, const glm::ivec2& size,
@@ -258,7 +259,7 @@ Result<const gl::RenderToTexture2D*> Projection::apply(const FrameContext& conte
 }
 
 std::size_t ProjectedPictures::bytes() const {
-    std::size_t sum = (upsampled ? upsampled.bytes() : 0) + (told ? told.bytes() : 0);
+    std::size_t sum = (upsampled ? upsampled.bytes() : 0) + (masked ? masked.bytes() : 0);
     for (const gl::RenderToTexture2D& target : best) {
         sum += target ? target.bytes() : 0;
     }

@@ -12,7 +12,7 @@ namespace aolib {
 /// Pictures of the view's size that projections leave.
 struct ProjectedPictures {
     std::array<gl::RenderToTexture2D, 2> best; ///< Projection::apply()'s, to and fro
-    gl::RenderToTexture2D told;                ///< Projection::tell()'s
+    gl::RenderToTexture2D masked;              ///< Projection::tell()'s
     gl::RenderToTexture2D upsampled;           ///< of frames with buffers at half resolution
 
     std::size_t bytes() const;
@@ -20,10 +20,9 @@ struct ProjectedPictures {
 
 /// The cube maps that are projected onto a view, and what was computed for its own pixels.
 struct ProjectedCubeMaps {
-    const FaceStore& faces;
-    const BlockStore& blocks;
+    const TexelAtlas& atlas;
     const std::vector<CubeMapProjector*>& list;
-    const gl::TextureStack* refined = nullptr; ///< ViewRepair's, of a view at rest
+    const gl::TextureStack* refined = nullptr; ///< StaticViewRefiner's, of a view at rest
 };
 
 /// Projects cube maps onto the host's view (thesis 4.4): best quality wins, close calls are
@@ -72,13 +71,13 @@ private:
     static void bindHalf(gl::GLSLShader& shader, const FrameContext& context,
                          const ProjectedCubeMaps& cubeMaps, const gl::RenderToTexture2D& half);
 
-    /// Without and with blocks, without and with repaired pixels.
+    /// Without and with pages, without and with refined pixels.
     using Variants = std::array<gl::GLSLShader, 4>;
     static gl::GLSLShader& variant(Variants& shaders, const ProjectedCubeMaps& cubeMaps);
 
     Variants project_;
     Variants shade_;
-    std::array<gl::GLSLShader, 2> shadeHalf_; ///< without and with repaired pixels
+    std::array<gl::GLSLShader, 2> shadeHalf_; ///< without and with refined pixels
     std::array<gl::GLSLShader, 2> upsample_;
 };
 

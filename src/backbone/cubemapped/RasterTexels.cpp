@@ -16,28 +16,32 @@ constexpr int kFirstPasses = 2;
 
 Result<std::unique_ptr<RasterTexels>> RasterTexels::create(const BackboneContext& context,
                                                            const SceneGeometry& geometry,
-                                                           FaceStore& store, BlockStore& blocks) {
-    std::unique_ptr<RasterTexels> texels(new RasterTexels(context, geometry, store, blocks));
-    auto shading = DeferredShading::create(context);
-    if (!shading) {
-        return shading.status();
+                                                           TexelAtlas& atlas,
+                                                           DeferredShading& shading) {
+    auto boxVisibility = BoxVisibilityQuery::create(context);
+    if (!boxVisibility) {
+        return boxVisibility.status();
     }
-    auto sight = SightTest::create(context);
-    if (!sight) {
-        return sight.status();
-    }
-    auto budget = FrameBudget::create(context.gl);
-    if (!budget) {
-        return budget.status();
-    }
-    texels->shading_ = std::move(*shading);
-    texels->sight_ = std::move(*sight);
-    texels->budget_ = std::move(*budget);
-    return texels;
+    return std::unique_ptr<RasterTexels>(
+        new RasterTexels(context, geometry, atlas, shading, std::move(*boxVisibility)));
+}
+
+int RasterTexels::passes() const {
+    return traitsOf(context_.options.estimator).passes(context_.options);
+}
+
+RasterTexels::Work* RasterTexels::find(CubeMapId id) {
+    const auto found = works_.find(id);
+    return found != works_.end() ? &found->second : nullptr;
+}
+
+const RasterTexels::Work* RasterTexels::find(CubeMapId id) const {
+    const auto found = works_.find(id);
+    return found != works_.end() ? &found->second : nullptr;
 }
 
 Result<RasterTexels::Work*> RasterTexels::begin(CubeMapProjector& projector) {
-    auto capture = shading_.begin(context_, geometry_, projector, store_, blocks_);
+    auto capture = shading_.begin(context_, geometry_, projector);
     if (!capture) {
         return capture.status();
     }
@@ -45,211 +49,220 @@ Result<RasterTexels::Work*> RasterTexels::begin(CubeMapProjector& projector) {
     work = {};
     work.capture = std::move(*capture);
     work.mayBreak = !brokenOff_.contains(projector.id());
-    for (int tile = 0; tile < projector.tiles.count();
-         ++tile) { // what was begun went with the last
-        const int had = projector.tiles.blockPasses(tile);
-        projector.tiles.setBlockPasses(tile, had - had % passes());
+    const TileTable& tiles = projector.tiles();
+    for (int tile = 0; tile < tiles.count(); ++tile) { // what was begun went with the last
+        const int had = tiles.pagePasses(tile);
+        projector.recordPagePasses(tile, had - had % passes());
     }
     return &work;
 }
 
+// ---- Changes of the scene -----------------------------------------------------------------------
+
 void RasterTexels::sceneChanged(CubeMapProjector& projector, const Scene::Change& change,
                                 float reach) {
     const Bounds region = change.region.inflated(reach);
-    // What it keeps does not tell what a capture on its way sees.
-    if (capturing(projector.id()) || sight_.sees(context_, projector, store_, region)) {
+    // What it holds says nothing of what a capture that has begun sees.
+    if (isCapturing(projector.id()) ||
+        boxVisibility_.isVisible(context_, projector, atlas_.faces, region)) {
         for (const int tile : projector.tilesTowards(region)) {
-            projector.tiles.setOutdated(tile);
-            projector.outdated = true;
+            projector.setOutdated(tile);
         }
-    } else if (blocks_.scale() == 1) { // of what it does not see
-        projector.dropBlocks(store_, blocks_, region);
-        if (const auto work = works_.find(projector.id()); work != works_.end()) {
-            work->second.changed.include(region);
+    } else if (atlas_.pages.kind() == PageKind::HiddenLayer) { // of what it does not see
+        projector.releasePages(region);
+        if (Work* work = find(projector.id())) {
+            work->changed.include(region);
         }
     }
 }
 
 bool RasterTexels::mayRestart(const CubeMapProjector& projector) const {
-    const auto work = works_.find(projector.id());
-    if (work == works_.end() || !lacks(projector)) {
+    const Work* work = find(projector.id());
+    if (work == nullptr || !hasPending(projector)) {
         return true;
     }
-    return work->second.mayBreak && work->second.capture.ready &&
-           projector.tiles.fewestPasses() >= std::min(kFirstPasses, passes());
+    return work->mayBreak && work->capture.ready &&
+           projector.tiles().fewestPasses() >= std::min(kFirstPasses, passes());
 }
 
 void RasterTexels::restart(CubeMapProjector& projector) {
-    const bool breaksOff = works_.contains(projector.id()) && lacks(projector);
+    const bool breaksOff = works_.contains(projector.id()) && hasPending(projector);
     if (breaksOff) {
         brokenOff_.insert(projector.id());
     } else {
         brokenOff_.erase(projector.id());
     }
     works_.erase(projector.id());
-    for (int tile = 0; tile < projector.tiles.count(); ++tile) {
+    const TileTable& tiles = projector.tiles();
+    for (int tile = 0; tile < tiles.count(); ++tile) {
         // What the last capture has added up of the others is gone with it.
-        if (projector.tiles.outdated(tile) || projector.tiles.passes(tile) < passes()) {
-            projector.dropBlocks(store_, blocks_, tile);
-            projector.tiles.restart(tile);
+        if (tiles.isOutdated(tile) || tiles.passes(tile) < passes()) {
+            projector.releasePages(tile);
+            projector.restartTile(tile);
         }
     }
 }
 
-bool RasterTexels::lacks(const CubeMapProjector& projector) const {
-    const auto work = works_.find(projector.id());
-    const bool atOnce = context_.options.frameBudget <= 0.0F; // no view has asked yet
-    return projector.tiles.lacks(passes()) || (!atOnce && projector.tiles.lacksBlocks(passes())) ||
-           (work != works_.end() && !work->second.toKeep.empty());
+bool RasterTexels::hasPending(const CubeMapProjector& projector) const {
+    const bool atOnce = context_.options.frameBudget <= 0.0F; // no view has requested pages yet
+    return projector.tiles().hasPending(passes()) ||
+           (!atOnce && projector.tiles().hasPendingPages(passes())) || !areFinal(projector);
 }
 
-bool RasterTexels::keeps(const CubeMapProjector& projector) const {
-    const auto work = works_.find(projector.id());
-    return work == works_.end() || work->second.toKeep.empty();
+bool RasterTexels::areFinal(const CubeMapProjector& projector) const {
+    const Work* work = find(projector.id());
+    return work == nullptr || work->toKeep.empty();
 }
 
-bool RasterTexels::capturing(CubeMapId id) const {
-    const auto work = works_.find(id);
-    return work != works_.end() && !work->second.capture.ready;
+bool RasterTexels::isCapturing(CubeMapId id) const {
+    const Work* work = find(id);
+    return work != nullptr && !work->capture.ready;
+}
+
+std::size_t RasterTexels::bytes() const {
+    std::size_t sum = 0;
+    for (const auto& [id, work] : works_) {
+        sum += work.capture.bytes();
+    }
+    return sum;
 }
 
 // ---- At once ------------------------------------------------------------------------------------
 
 AoStatus RasterTexels::complete(CubeMapProjector& projector) {
-    projector.timer.begin();
+    projector.timer().begin();
     const auto work = begin(projector);
     if (!work) {
         return work.status();
     }
     const CubeMapCapture& capture = (*work)->capture;
     while (!capture.ready) {
-        if (AoStatus status = shading_.step(context_, (*work)->capture, projector, store_);
-            !status) {
+        if (AoStatus status = shading_.step(context_, (*work)->capture, projector); !status) {
             forget(projector.id());
             return status;
         }
     }
-    const int size = store_.faceSize();
+    const int size = atlas_.faces.faceSize();
     for (int face = 0; face < kFaces; ++face) {
-        if (projector.keeps(face)) {
+        if (projector.hasFace(face)) {
             shading_.accumulate(context_, capture, {face, 0, 0, size, size}, 0, passes());
         }
     }
     for (int face = 0; face < kFaces; ++face) {
-        if (projector.keeps(face)) {
-            shading_.resolve(context_, capture, projector, store_, {face, 0, 0, size, size}, 1.0F);
+        if (projector.hasFace(face)) {
+            shading_.resolve(context_, capture, projector, atlas_.faces, {face, 0, 0, size, size},
+                             1.0F);
         }
     }
-    projector.tiles.askAll();
-    for (int tile = 0; tile < projector.tiles.count(); ++tile) {
-        projector.tiles.setPasses(tile, passes());
+    projector.requestAll();
+    for (int tile = 0; tile < projector.tiles().count(); ++tile) {
+        projector.recordPasses(tile, passes());
     }
-    projector.shown = true;
-    projector.timer.end();
+    projector.show();
+    projector.timer().end();
     forget(projector.id());
     return {};
 }
 
 // ---- Within a budget ----------------------------------------------------------------------------
 
-AoStatus RasterTexels::advance(const std::vector<CubeMapProjector*>& projectors,
-                               double milliseconds) {
+void RasterTexels::beginFrame(const std::vector<CubeMapProjector*>& projectors) {
+    projectors_ = projectors;
     for (auto& [id, work] : works_) {
         ++work.idleFrames;
     }
-    bool began = false;
-    bool room = true;
-    for (CubeMapProjector* projector : projectors) {
-        if (!room || !lacks(*projector)) {
-            continue;
-        }
-        if (!began) {
-            budget_.beginFrame(milliseconds);
-            began = true;
-        }
-        const auto left = goOn(*projector);
-        if (!left) {
-            forget(projector->id());
-            return left.status();
-        }
-        room = *left;
-        if (!projector->shown &&
-            projector->tiles.fewestPasses() >= std::min(kFirstPasses, passes())) {
-            projector->shown = true;
-            projector->showsMore = traitsOf(context_.options.estimator).layered;
-        }
-    }
-    std::erase_if(works_, [](const auto& entry) { return entry.second.idleFrames > kIdleFrames; });
-    return {};
+    std::erase_if(works_, [&](const auto& entry) {
+        return entry.second.idleFrames > kIdleFrames &&
+               std::ranges::none_of(projectors_, [&](const auto* one) {
+                   return one->id() == entry.first && hasPending(*one);
+               });
+    });
 }
 
-Result<bool> RasterTexels::goOn(CubeMapProjector& projector) {
-    auto found = works_.find(projector.id());
-    if (found == works_.end()) {
-        if (const auto work = begin(projector); !work) {
-            return work.status();
-        }
-        found = works_.find(projector.id());
+CubeMapProjector* RasterTexels::current() const {
+    const auto found = std::ranges::find_if(
+        projectors_, [&](const CubeMapProjector* one) { return hasPending(*one); });
+    return found != projectors_.end() ? *found : nullptr;
+}
+
+std::optional<WorkUnit> RasterTexels::next() {
+    const CubeMapProjector* projector = current();
+    if (projector == nullptr) {
+        return std::nullopt;
     }
-    Work& work = found->second;
-    work.idleFrames = 0;
+    const Work* work = find(projector->id());
+    if (work == nullptr) {
+        return WorkUnit::Prepare;
+    }
+    if (!work->capture.ready) {
+        return work->capture.next();
+    }
+    return projector->tiles().hasPending(passes()) ? WorkUnit::Texels
+           : !work->toKeep.empty()                 ? WorkUnit::Keep
+                                                   : WorkUnit::Texels;
+}
+
+bool RasterTexels::isReady() {
+    const Work* work = find(current()->id());
+    return work == nullptr || work->capture.ready || !work->capture.waits();
+}
+
+Result<int> RasterTexels::step(int most) {
+    CubeMapProjector& projector = *current();
+    Work* work = find(projector.id());
+    if (work == nullptr) {
+        const auto begun = begin(projector);
+        if (!begun) {
+            return begun.status();
+        }
+        work = *begun;
+    }
+    work->idleFrames = 0;
+    const auto done = step(projector, *work, most);
+    if (!done) {
+        forget(projector.id());
+    } else if (!projector.isVisible() &&
+               projector.tiles().fewestPasses() >= std::min(kFirstPasses, passes())) {
+        projector.show();
+        if (traitsOf(context_.options.estimator).layered) {
+            projector.recordHiddenLayers();
+        }
+    }
+    return done;
+}
+
+Result<int> RasterTexels::step(CubeMapProjector& projector, Work& work, int most) {
     if (!work.capture.ready) {
-        const auto room = goOnCapturing(projector, work);
-        if (!room || !*room) {
-            return room;
-        }
+        const AoStatus status = shading_.step(context_, work.capture, projector);
+        return status ? Result<int>(1) : Result<int>(status);
     }
-    if (!goOnComputing(projector, work) || !goOnKeeping(projector, work)) {
-        return false;
-    }
-    return goOnBehind(projector, work);
-}
-
-Result<bool> RasterTexels::goOnCapturing(CubeMapProjector& projector, Work& work) {
-    while (!work.capture.ready) {
-        const WorkUnit unit = work.capture.next();
-        if (work.capture.waits() || budget_.room(unit) == 0) {
-            return false;
-        }
-        budget_.start(unit);
-        if (AoStatus status = shading_.step(context_, work.capture, projector, store_); !status) {
-            return status;
-        }
-        budget_.done(1);
-    }
-    return true;
-}
-
-bool RasterTexels::goOnComputing(CubeMapProjector& projector, Work& work) {
-    while (projector.tiles.lacks(passes())) {
-        const int most = budget_.room(WorkUnit::Texels);
-        if (most == 0) {
-            return false;
-        }
-        budget_.start(WorkUnit::Texels);
-        budget_.done(computeTiles(projector, work, most));
-        if (!projector.tiles.lacks(passes()) && traitsOf(context_.options.estimator).layered) {
+    if (projector.tiles().hasPending(passes())) {
+        const int units = computeTiles(projector, work, most);
+        if (!projector.tiles().hasPending(passes()) &&
+            traitsOf(context_.options.estimator).layered) {
             work.toKeep = work.tiles; // once more: the smoothing looks across the borders of tiles
         }
+        return units;
     }
-    return true;
+    return work.toKeep.empty() ? computeHiddenTiles(projector, work, most)
+                               : Result<int>(keepTiles(projector, work, most));
 }
 
 int RasterTexels::computeTiles(CubeMapProjector& projector, Work& work, int most) {
-    TileProgress& tiles = projector.tiles;
+    const TileTable& tiles = projector.tiles();
     std::set<int> computed;
     int units = 0;
-    while (units < most && tiles.lacks(passes())) {
+    while (units < most && tiles.hasPending(passes())) {
         for (const int tile : tiles.mostUrgent(passes())) {
-            const TileProgress::Region region = tiles.region(tile);
+            const TileTable::Region region = tiles.region(tile);
             const int pass = tiles.passes(tile);
-            if (!projector.keeps(region.face)) {
-                tiles.setPasses(tile, passes());
+            if (!projector.hasFace(region.face)) {
+                projector.recordPasses(tile, passes());
                 continue;
             }
             shading_.accumulate(context_, work.capture, region, pass, 1);
-            tiles.setPasses(tile, pass + 1);
-            tiles.offerBlocks(tile, work.capture.geometry->layersOf(region.face) - 1);
+            projector.recordPasses(tile, pass + 1);
+            projector.setAvailablePages(tile, work.capture.geometry->layersOf(region.face) - 1);
             computed.insert(tile);
             if (++units == most) {
                 break;
@@ -263,30 +276,32 @@ int RasterTexels::computeTiles(CubeMapProjector& projector, Work& work, int most
     return units;
 }
 
-bool RasterTexels::goOnKeeping(CubeMapProjector& projector, Work& work) {
-    while (!work.toKeep.empty()) {
-        const int most = budget_.room(WorkUnit::Keep);
-        if (most == 0) {
-            return false;
-        }
-        budget_.start(WorkUnit::Keep);
-        int units = 0;
-        for (; units < most && !work.toKeep.empty(); ++units) {
-            keep(projector, work, work.toKeep.extract(work.toKeep.begin()).value());
-        }
-        budget_.done(units);
+int RasterTexels::keepTiles(const CubeMapProjector& projector, Work& work, int most) {
+    int units = 0;
+    for (; units < most && !work.toKeep.empty(); ++units) {
+        keep(projector, work, work.toKeep.extract(work.toKeep.begin()).value());
     }
-    return true;
+    return units;
 }
 
-// ---- Surfaces behind ----------------------------------------------------------------------------
+void RasterTexels::keep(const CubeMapProjector& projector, const Work& work, int tile) {
+    const TileTable::Region region = projector.tiles().region(tile);
+    if (projector.hasFace(region.face)) {
+        const float share =
+            static_cast<float>(projector.tiles().passes(tile)) / static_cast<float>(passes());
+        shading_.resolve(context_, work.capture, projector, atlas_.faces, region, share);
+    }
+}
 
-std::optional<int> RasterTexels::nextBehind(const CubeMapProjector& projector,
-                                            const Work& work) const {
+// ---- Surfaces behind others ---------------------------------------------------------------------
+
+std::optional<int> RasterTexels::nextHiddenTile(const CubeMapProjector& projector,
+                                                const Work& work) const {
+    const TileTable& tiles = projector.tiles();
     std::optional<int> next;
-    for (int tile = 0; tile < projector.tiles.count(); ++tile) {
-        const bool begun = projector.tiles.blockPasses(tile) % passes() > 0;
-        if (projector.tiles.lacksBlocks(tile, passes()) && (begun || !next) &&
+    for (int tile = 0; tile < tiles.count(); ++tile) {
+        const bool begun = tiles.pagePasses(tile) % passes() > 0;
+        if (tiles.hasPendingPages(tile, passes()) && (begun || !next) &&
             (work.changed.empty() || !projector.looksAt(tile, work.changed))) {
             next = tile;
         }
@@ -294,69 +309,43 @@ std::optional<int> RasterTexels::nextBehind(const CubeMapProjector& projector,
     return next;
 }
 
-Result<bool> RasterTexels::goOnBehind(CubeMapProjector& projector, Work& work) {
-    while (projector.tiles.lacksBlocks(passes())) {
-        const int most = budget_.room(WorkUnit::Texels);
-        if (most == 0) {
-            return false;
-        }
-        std::optional<int> tile = nextBehind(projector, work);
-        if (!tile) {
-            forget(projector.id()); // captured again, in the next frame: the rest has changed
-            return true;
-        }
-        budget_.start(WorkUnit::Texels);
-        AoStatus status;
-        int units = 0;
-        for (; status && tile && units < most; tile = nextBehind(projector, work)) {
-            status = computeBehind(projector, work, *tile);
-            ++units;
-        }
-        budget_.done(units);
-        if (!status) {
+Result<int> RasterTexels::computeHiddenTiles(CubeMapProjector& projector, Work& work, int most) {
+    std::optional<int> tile = nextHiddenTile(projector, work);
+    if (!tile) {
+        forget(projector.id()); // captured again: the rest has changed
+        return 0;
+    }
+    int units = 0;
+    for (; tile && units < most; tile = nextHiddenTile(projector, work)) {
+        if (AoStatus status = computeHiddenTile(projector, work, *tile); !status) {
             return status;
         }
+        ++units;
     }
-    return true;
+    return units;
 }
 
-AoStatus RasterTexels::computeBehind(CubeMapProjector& projector, Work& work, int tile) {
-    TileProgress& tiles = projector.tiles;
-    const TileProgress::Region region = tiles.region(tile);
-    const int pass = tiles.blockPasses(tile) % passes();
-    const int layer = 1 + tiles.blockPasses(tile) / passes();
-    if (AoStatus status = shading_.accumulateBehind(context_, work.capture, region, layer, pass);
+AoStatus RasterTexels::computeHiddenTile(CubeMapProjector& projector, Work& work, int tile) {
+    const TileTable& tiles = projector.tiles();
+    const TileTable::Region region = tiles.region(tile);
+    const int pass = tiles.pagePasses(tile) % passes();
+    const int layer = 1 + tiles.pagePasses(tile) / passes();
+    if (AoStatus status = shading_.accumulateHidden(context_, work.capture, region, layer, pass);
         !status) {
         return status;
     }
     if (pass + 1 == passes()) {
-        const auto block = projector.addBlock(store_, blocks_, tile);
-        if (!block) {
-            tiles.refuseBlock(tile); // it goes without
-            return store_.spare() > 0 ? block.status() : AoStatus();
+        const auto page = projector.addPage(tile);
+        if (!page) {
+            projector.denyPages(tile);
+            return atlas_.faces.freeLayers() > 0 ? page.status() : AoStatus();
         }
-        shading_.resolveBehind(context_, work.capture, projector, blocks_, *block, region, layer);
-        projector.showsMore = true;
+        shading_.resolveHidden(context_, work.capture, projector, atlas_.pages, *page, region,
+                               layer);
+        projector.recordHiddenLayers();
     }
-    tiles.setBlockPasses(tile, tiles.blockPasses(tile) + 1);
+    projector.recordPagePasses(tile, tiles.pagePasses(tile) + 1);
     return {};
-}
-
-void RasterTexels::keep(const CubeMapProjector& projector, const Work& work, int tile) {
-    const TileProgress::Region region = projector.tiles.region(tile);
-    if (projector.keeps(region.face)) {
-        const float share =
-            static_cast<float>(projector.tiles.passes(tile)) / static_cast<float>(passes());
-        shading_.resolve(context_, work.capture, projector, store_, region, share);
-    }
-}
-
-std::size_t RasterTexels::bytes() const {
-    std::size_t sum = 0;
-    for (const auto& [id, work] : works_) {
-        sum += work.capture.bytes();
-    }
-    return sum;
 }
 
 } // namespace aolib

@@ -6,31 +6,30 @@
 #include <set>
 
 #include "backbone/cubemapped/AbstractTexelSource.h"
+#include "backbone/cubemapped/BoxVisibilityQuery.h"
 #include "backbone/cubemapped/DeferredShading.h"
-#include "backbone/cubemapped/SightTest.h"
 
 namespace aolib {
 
 /// Texels by rasterisation: the scene is captured on a cube map's faces, and a shader looks about
-/// in the capture. The capture is given back once all that is asked for is computed. With layers,
-/// the surfaces behind those that it sees are computed, too, in tiles in which some view asks for
-/// them.
+/// in the capture. The capture is released once all that is requested is computed. With layers, the
+/// surfaces behind those that it sees are computed, too, in tiles in which some view requests them.
 class RasterTexels final : public AbstractTexelSource {
 public:
-    /// Errors: ShaderError.
+    /// @param geometry, atlas, shading  outlive it. Errors: ShaderError.
     static Result<std::unique_ptr<RasterTexels>> create(const BackboneContext& context,
                                                         const SceneGeometry& geometry,
-                                                        FaceStore& store, BlockStore& blocks);
+                                                        TexelAtlas& atlas,
+                                                        DeferredShading& shading);
 
-    /// What captures and computes, for whoever needs the same of other points.
-    DeferredShading& shading() { return shading_; }
-
-    int passes() const override { return DeferredShading::passes(context_.options); }
+    int passes() const override;
+    void beginFrame(const std::vector<CubeMapProjector*>& projectors) override;
+    std::optional<WorkUnit> next() override;
+    bool isReady() override;
+    Result<int> step(int most) override;
     AoStatus complete(CubeMapProjector& projector) override;
-    AoStatus advance(const std::vector<CubeMapProjector*>& projectors,
-                     double milliseconds) override;
-    bool lacks(const CubeMapProjector& projector) const override;
-    bool keeps(const CubeMapProjector& projector) const override;
+    bool hasPending(const CubeMapProjector& projector) const override;
+    bool areFinal(const CubeMapProjector& projector) const override;
     void sceneChanged(CubeMapProjector& projector, const Scene::Change& change,
                       float reach) override;
     bool mayRestart(const CubeMapProjector& projector) const override;
@@ -42,7 +41,7 @@ public:
     std::size_t bytes() const override;
 
 private:
-    /// Frames for which a capture is kept after its last use: a turning camera asks for more.
+    /// Frames for which a capture is kept after its last use: a turning camera requests more.
     static constexpr int kIdleFrames = 30;
 
     struct Work {
@@ -54,33 +53,35 @@ private:
         int idleFrames = 0;
     };
 
-    RasterTexels(const BackboneContext& context, const SceneGeometry& geometry, FaceStore& store,
-                 BlockStore& blocks)
-        : context_(context), geometry_(geometry), store_(store), blocks_(blocks) {}
+    RasterTexels(const BackboneContext& context, const SceneGeometry& geometry, TexelAtlas& atlas,
+                 DeferredShading& shading, BoxVisibilityQuery boxVisibility)
+        : context_(context), geometry_(geometry), atlas_(atlas), shading_(shading),
+          boxVisibility_(std::move(boxVisibility)) {}
 
+    /// The first cube map of the frame for which something is pending; null where none is.
+    CubeMapProjector* current() const;
+    Work* find(CubeMapId id);
+    const Work* find(CubeMapId id) const;
     Result<Work*> begin(CubeMapProjector& projector);
-    bool capturing(CubeMapId id) const;
-    /// Goes on with a cube map while the frame has room. @return whether it has still.
-    Result<bool> goOn(CubeMapProjector& projector);
-    Result<bool> goOnCapturing(CubeMapProjector& projector, Work& work);
-    bool goOnComputing(CubeMapProjector& projector, Work& work);
-    bool goOnKeeping(CubeMapProjector& projector, Work& work);
-    Result<bool> goOnBehind(CubeMapProjector& projector, Work& work);
-    /// A pass of a tile's block; after the last one it is kept.
-    AoStatus computeBehind(CubeMapProjector& projector, Work& work, int tile);
-    /// The tile whose block is to be computed next: the one that was begun before others.
-    std::optional<int> nextBehind(const CubeMapProjector& projector, const Work& work) const;
-    /// One pass over each of the tiles that need it most. @return how many.
+    bool isCapturing(CubeMapId id) const;
+    /// Does units of the kind that a cube map needs next. @return how many
+    Result<int> step(CubeMapProjector& projector, Work& work, int most);
+    /// Computes one pass over each of the tiles that need it most. @return how many
     int computeTiles(CubeMapProjector& projector, Work& work, int most);
+    int keepTiles(const CubeMapProjector& projector, Work& work, int most);
+    Result<int> computeHiddenTiles(CubeMapProjector& projector, Work& work, int most);
+    /// Computes a pass of a tile's page; after the last one the page is written.
+    AoStatus computeHiddenTile(CubeMapProjector& projector, Work& work, int tile);
+    /// The tile whose page is computed next: the one that was begun before others.
+    std::optional<int> nextHiddenTile(const CubeMapProjector& projector, const Work& work) const;
     void keep(const CubeMapProjector& projector, const Work& work, int tile);
 
     const BackboneContext context_;
     const SceneGeometry& geometry_;
-    FaceStore& store_;
-    BlockStore& blocks_;
-    DeferredShading shading_;
-    SightTest sight_;
-    FrameBudget budget_;
+    TexelAtlas& atlas_;
+    DeferredShading& shading_;
+    BoxVisibilityQuery boxVisibility_;
+    std::vector<CubeMapProjector*> projectors_; ///< of the frame
     std::map<CubeMapId, Work> works_;
     std::set<CubeMapId> brokenOff_; ///< whose last work was not ended
 };

@@ -1,12 +1,12 @@
 #include "backbone/cubemapped/RayTracedTexels.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <utility>
 
 #include <glm/geometric.hpp>
 
+#include "backbone/Estimators.h"
 #include "backbone/cubemapped/FaceCapture.h"
 #include "backbone/cubemapped/RoughTiles.h"
 #include "backbone/cubemapped/TileKey.h"
@@ -15,14 +15,8 @@ namespace aolib {
 
 namespace {
 
-/// Rays of the first pass, after which a cube map is shown, and after the second; from then on each
-/// pass doubles them. Their RMSE is about 0.03 and 0.01.
-constexpr int kFirstRays = 16;
-constexpr int kSecondRays = 64;
 /// Tiles queued at a time: enough to keep workers busy between frames.
 constexpr std::size_t kQueue = 512;
-/// Results that are taken before the clock is looked at again: a block of detail takes a while.
-constexpr std::size_t kAtATime = 1;
 
 std::uint32_t number(const CubeMapProjector& projector) {
     return static_cast<std::uint32_t>(projector.id());
@@ -35,25 +29,12 @@ double cost(const TexelRequest& request) {
 
 } // namespace
 
-int RayTracedTexels::raysAfter(int passes) const {
-    const int most = context_.options.rayTraced.rays;
-    int rays = passes == 0 ? 0 : passes == 1 ? kFirstRays : kSecondRays;
-    for (int pass = 2; pass < passes && rays < most; ++pass) {
-        rays *= 2;
-    }
-    return std::min(rays, most);
-}
-
-bool RayTracedTexels::lacks(const CubeMapProjector& projector) const {
-    return projector.tiles.lacks(passes()) || projector.tiles.lacksBlocks(passes());
+bool RayTracedTexels::hasPending(const CubeMapProjector& projector) const {
+    return projector.tiles().hasPending(passes()) || projector.tiles().hasPendingPages(passes());
 }
 
 int RayTracedTexels::passes() const {
-    int count = 1;
-    while (raysAfter(count) < context_.options.rayTraced.rays) {
-        ++count;
-    }
-    return count;
+    return traitsOf(context_.options.estimator).passes(context_.options);
 }
 
 void RayTracedTexels::sceneChanged(CubeMapProjector& projector, const Scene::Change& change,
@@ -72,20 +53,19 @@ void RayTracedTexels::sceneChanged(CubeMapProjector& projector, const Scene::Cha
             continue;
         }
         shown.changedIn = queue_.scene();
-        if (projector.tiles.known(tile)) {
-            projector.tiles.setOutdated(tile);
-            projector.outdated = true;
+        if (projector.tiles().isKnown(tile)) {
+            projector.setOutdated(tile);
         }
     }
 }
 
 void RayTracedTexels::restart(CubeMapProjector& projector) {
     Work& work = workOf(projector);
-    for (int tile = 0; tile < projector.tiles.count(); ++tile) {
-        if (projector.tiles.outdated(tile)) {
-            projector.tiles.restart(tile);
+    for (int tile = 0; tile < projector.tiles().count(); ++tile) {
+        if (projector.tiles().isOutdated(tile)) {
+            projector.restartTile(tile);
             work.tiles.erase(tile);
-            work.details.erase(tile);
+            work.pages.erase(tile);
         }
     }
 }
@@ -93,7 +73,7 @@ void RayTracedTexels::restart(CubeMapProjector& projector) {
 RayTracedTexels::Work& RayTracedTexels::workOf(const CubeMapProjector& projector) {
     const auto [found, isNew] = works_.try_emplace(projector.id());
     if (isNew) { // what was asked for before may be traced in an older scene
-        found->second.shown.assign(static_cast<std::size_t>(projector.tiles.count()),
+        found->second.shown.assign(static_cast<std::size_t>(projector.tiles().count()),
                                    {.scene = 0, .changedIn = queue_.scene(), .seen = {}});
     }
     return found->second;
@@ -104,52 +84,57 @@ const RayTracedTexels::Shown& RayTracedTexels::shown(const CubeMapProjector& pro
 }
 
 AoStatus RayTracedTexels::complete(CubeMapProjector& projector) {
-    projector.tiles.askAll();
-    const std::vector<CubeMapProjector*> one{&projector};
-    while (lacks(projector)) {
-        request(one);
+    projector.requestAll();
+    beginFrame({&projector});
+    while (hasPending(projector)) {
+        request();
         queue_.wait(1000.0);
-        if (AoStatus status = takeResults(one, HUGE_VAL); !status) {
+        if (AoStatus status = runToEnd(*this); !status) {
             return status;
         }
+        if (!queue_.status()) {
+            return queue_.status();
+        }
     }
-    projector.shown = true;
+    projector.show();
     return {};
 }
 
-AoStatus RayTracedTexels::advance(const std::vector<CubeMapProjector*>& projectors,
-                                  double milliseconds) {
-    if (AoStatus status = takeResults(projectors, milliseconds); !status) {
-        return status;
+AoStatus RayTracedTexels::endFrame() {
+    if (!queue_.status()) {
+        return queue_.status();
     }
-    request(projectors);
-    for (CubeMapProjector* projector : projectors) {
-        projector->shown = projector->shown || projector->tiles.allKnown();
+    request();
+    for (CubeMapProjector* projector : projectors_) {
+        if (projector->tiles().allKnown()) {
+            projector->show();
+        }
     }
     return {};
 }
 
-// ---- What is asked for --------------------------------------------------------------------------
+// ---- What is requested --------------------------------------------------------------------------
 
-RayTracedTexels::Lists RayTracedTexels::lists(const std::vector<CubeMapProjector*>& projectors) {
+RayTracedTexels::Lists RayTracedTexels::lists() {
     Lists lists;
     const int most = passes();
-    for (CubeMapProjector* projector : projectors) {
-        const TileProgress& tiles = projector->tiles;
+    for (CubeMapProjector* projector : projectors_) {
+        const TileTable& tiles = projector->tiles();
         for (int tile = 0; tile < tiles.count(); ++tile) {
-            if (tiles.asked(tile) && tiles.passes(tile) < most) {
+            if (tiles.isRequested(tile) && tiles.passes(tile) < most) {
                 auto& list = tiles.passes(tile) == 0 ? lists.first : lists.refined;
                 list.push_back({projector, tile, false, tiles.passes(tile)});
             }
-            if (tiles.blocksNeeded(tile) > 0 && tiles.blockPasses(tile) < most) {
-                lists.refined.push_back({projector, tile, true, tiles.blockPasses(tile)});
+            if (tiles.pagesNeeded(tile) > 0 && tiles.pagePasses(tile) < most) {
+                lists.refined.push_back({projector, tile, true, tiles.pagePasses(tile)});
             }
         }
     }
     // What shows nothing yet, then what shows the oldest scene.
     std::stable_sort(lists.first.begin(), lists.first.end(), [&](const Wanted& a, const Wanted& b) {
         const auto rank = [&](const Wanted& w) {
-            return std::pair(w.projector->tiles.known(w.tile), shown(*w.projector, w.tile).scene);
+            return std::pair(w.projector->tiles().isKnown(w.tile),
+                             shown(*w.projector, w.tile).scene);
         };
         return rank(a) < rank(b);
     });
@@ -163,26 +148,26 @@ RayTracedTexels::Lists RayTracedTexels::lists(const std::vector<CubeMapProjector
 
 TexelRequest RayTracedTexels::requestFor(const Wanted& wanted) const {
     const CubeMapProjector& projector = *wanted.projector;
-    const TileProgress::Region region = projector.tiles.region(wanted.tile);
-    const int scale = wanted.detail ? blocks_.scale() : 1;
-    const int before = raysAfter(wanted.passes);
+    const TileTable::Region region = projector.tiles().region(wanted.tile);
+    const int scale = wanted.detail ? atlas_.pages.scale() : 1;
+    const int before = raysAfter(context_.options, wanted.passes);
     return {.key = TileKey{number(projector), wanted.detail, wanted.tile}.packed(),
             .centre = projector.position(),
-            .faceSize = scale * projector.tiles.faceSize(),
+            .faceSize = scale * projector.tiles().faceSize(),
             .face = region.face,
             .x = scale * region.x,
             .y = scale * region.y,
             .width = scale * region.width,
             .height = scale * region.height,
             .firstRay = before,
-            .rays = raysAfter(wanted.passes + 1) - before,
+            .rays = raysAfter(context_.options, wanted.passes + 1) - before,
             .radius = context_.options.radius,
             .falloff = context_.options.falloff,
             .sights = {}};
 }
 
-void RayTracedTexels::request(const std::vector<CubeMapProjector*>& projectors) {
-    const Lists wanted = lists(projectors);
+void RayTracedTexels::request() {
+    const Lists wanted = lists();
     if (wanted.first.empty() && wanted.refined.empty()) {
         return;
     }
@@ -191,7 +176,7 @@ void RayTracedTexels::request(const std::vector<CubeMapProjector*>& projectors) 
         std::vector<TileTurns::Tile> tiles;
         for (const Wanted& one : list) {
             const TexelRequest request = requestFor(one);
-            tiles.push_back({request.key, cost(request), one.projector->tiles.known(one.tile)});
+            tiles.push_back({request.key, cost(request), one.projector->tiles().isKnown(one.tile)});
             requests.emplace(request.key, request);
         }
         return tiles;
@@ -199,7 +184,7 @@ void RayTracedTexels::request(const std::vector<CubeMapProjector*>& projectors) 
     const std::vector<TileTurns::Tile> first = turnsOf(wanted.first);
     // What a worker has begun would be begun again: the queue is only exchanged when it runs low or
     // a tile without a pass is not in it.
-    const bool low = queue_.pending(TracerQueue::Asker::Texels) <= queued_ / 4;
+    const bool low = queue_.pending(TracerQueue::Client::Texels) <= queued_ / 4;
     if (!low && turns_.has(first)) {
         return;
     }
@@ -208,7 +193,7 @@ void RayTracedTexels::request(const std::vector<CubeMapProjector*>& projectors) 
         queue.push_back(requests.at(key));
     }
     queued_ = queue.size();
-    queue_.request(TracerQueue::Asker::Texels, std::move(queue));
+    queue_.request(TracerQueue::Client::Texels, std::move(queue));
 }
 
 // ---- What has come ------------------------------------------------------------------------------
@@ -216,43 +201,39 @@ void RayTracedTexels::request(const std::vector<CubeMapProjector*>& projectors) 
 bool RayTracedTexels::fits(const CubeMapProjector& projector, const TracedTexels& traced,
                            bool detail) const {
     const TexelRequest& request = traced.request;
-    const int scale = detail ? blocks_.scale() : 1;
+    const int scale = detail ? atlas_.pages.scale() : 1;
     return request.centre == projector.position() &&
-           request.faceSize == scale * projector.tiles.faceSize() &&
+           request.faceSize == scale * projector.tiles().faceSize() &&
            request.falloff == context_.options.falloff;
 }
 
-AoStatus RayTracedTexels::takeResults(const std::vector<CubeMapProjector*>& projectors,
-                                      double milliseconds) {
-    const auto start = std::chrono::steady_clock::now();
-    for (auto results = queue_.take(TracerQueue::Asker::Texels, kAtATime); !results.empty();
-         results = queue_.take(TracerQueue::Asker::Texels, kAtATime)) {
-        for (const TracedTexels& traced : results) {
-            const TileKey key = TileKey::unpacked(traced.request.key);
-            const auto found =
-                std::find_if(projectors.begin(), projectors.end(), [&](const auto* projector) {
-                    return number(*projector) == key.cubeMap;
-                });
-            const bool again = found != projectors.end() && (*found)->tiles.known(key.tile);
-            turns_.answered({traced.request.key, cost(traced.request), again},
-                            traced.request.firstRay > 0 || key.detail);
-            // One that is gone, or too far away meanwhile, is asked for again when it is back.
-            if (found == projectors.end() || !fits(**found, traced, key.detail)) {
-                continue;
-            }
-            AoStatus status = key.detail ? takeDetail(**found, traced, key.tile)
-                                         : take(**found, traced, key.tile);
-            if (!status) {
-                return status;
-            }
-        }
-        const std::chrono::duration<double, std::milli> spent =
-            std::chrono::steady_clock::now() - start;
-        if (spent.count() >= milliseconds) {
-            break;
+std::optional<WorkUnit> RayTracedTexels::next() {
+    return queue_.hasResult(TracerQueue::Client::Texels) ? std::optional(WorkUnit::Upload)
+                                                         : std::nullopt;
+}
+
+Result<int> RayTracedTexels::step(int most) {
+    const auto results = queue_.take(TracerQueue::Client::Texels, static_cast<std::size_t>(most));
+    for (const TracedTexels& traced : results) {
+        if (AoStatus status = take(traced); !status) {
+            return status;
         }
     }
-    return queue_.status();
+    return static_cast<int>(results.size());
+}
+
+AoStatus RayTracedTexels::take(const TracedTexels& traced) {
+    const TileKey key = TileKey::unpacked(traced.request.key);
+    const auto found = std::ranges::find_if(
+        projectors_, [&](const auto* projector) { return number(*projector) == key.cubeMap; });
+    const bool again = found != projectors_.end() && (*found)->tiles().isKnown(key.tile);
+    turns_.answered({traced.request.key, cost(traced.request), again},
+                    traced.request.firstRay > 0 || key.detail);
+    // A cube map that is gone, or too far away meanwhile, requests it again when it is back.
+    if (found == projectors_.end() || !fits(**found, traced, key.detail)) {
+        return {};
+    }
+    return key.detail ? takePage(**found, traced, key.tile) : takeFace(**found, traced, key.tile);
 }
 
 bool RayTracedTexels::add(Tile& sums, const TracedTexels& traced) {
@@ -275,9 +256,10 @@ bool RayTracedTexels::counts(const CubeMapProjector& projector, const TracedTexe
            traced.scene >= shown(projector, tile).changedIn;
 }
 
-AoStatus RayTracedTexels::take(CubeMapProjector& projector, const TracedTexels& traced, int tile) {
+AoStatus RayTracedTexels::takeFace(CubeMapProjector& projector, const TracedTexels& traced,
+                                   int tile) {
     spanScene(projector);
-    const int had = projector.tiles.passes(tile);
+    const int had = projector.tiles().passes(tile);
     if (!counts(projector, traced, tile)) {
         return had == 0 ? takeOutdated(projector, traced, tile) : AoStatus();
     }
@@ -290,14 +272,13 @@ AoStatus RayTracedTexels::take(CubeMapProjector& projector, const TracedTexels& 
         return {};
     }
     if (had == 0 && isRough(traced)) {
-        projector.tiles.offerBlocks(tile, 1);
+        projector.setAvailablePages(tile, 1);
     }
     if (AoStatus status = upload(projector, traced, sums, tile); !status) {
-        projector.tiles.setOutdated(tile); // it is added up, but not shown
-        projector.outdated = true;
+        projector.setOutdated(tile); // it is added up, but not shown
         return status;
     }
-    projector.tiles.setPasses(tile, had + 1);
+    projector.recordPasses(tile, had + 1);
     if (had + 1 >= passes()) {
         work.tiles.erase(tile);
     }
@@ -313,36 +294,36 @@ AoStatus RayTracedTexels::takeOutdated(CubeMapProjector& projector, const Traced
     }
     AoStatus status = upload(projector, traced, alone, tile);
     if (status) {
-        projector.tiles.setKnown(tile);
+        projector.recordOutdatedTexels(tile);
     }
     return status;
 }
 
-AoStatus RayTracedTexels::takeDetail(CubeMapProjector& projector, const TracedTexels& traced,
-                                     int tile) {
-    if (projector.tiles.blockPasses(tile) >= passes() || !counts(projector, traced, tile)) {
+AoStatus RayTracedTexels::takePage(CubeMapProjector& projector, const TracedTexels& traced,
+                                   int tile) {
+    if (projector.tiles().pagePasses(tile) >= passes() || !counts(projector, traced, tile)) {
         return {}; // as above
     }
     Work& work = workOf(projector);
-    Tile& sums = work.details[tile];
-    if (!projector.keeps(traced.request.face) || !add(sums, traced)) {
+    Tile& sums = work.pages[tile];
+    if (!projector.hasFace(traced.request.face) || !add(sums, traced)) {
         return {};
     }
-    const auto block = projector.blockOf(store_, blocks_, tile);
-    if (!block) {
-        work.details.erase(tile);
-        if (store_.spare() > 0) {
-            return block.status();
+    const auto page = projector.firstPage(tile);
+    if (!page) {
+        work.pages.erase(tile);
+        if (atlas_.faces.freeLayers() > 0) {
+            return page.status();
         }
-        projector.tiles.refuseBlock(tile); // what the face keeps has to do
+        projector.denyPages(tile); // what the face keeps has to do
         return {};
     }
     const TexelCodes codes = encodeTexels(traced, sums.sum, sums.rays, projector.depthCode());
-    blocks_.upload(*block, traced.request.width, traced.request.height, codes.visibility,
-                   codes.depth);
-    projector.tiles.setBlockPasses(tile, projector.tiles.blockPasses(tile) + 1);
-    if (projector.tiles.blockPasses(tile) >= passes()) {
-        work.details.erase(tile);
+    atlas_.pages.upload(*page, traced.request.width, traced.request.height, codes.visibility,
+                        codes.depth);
+    projector.recordPagePasses(tile, projector.tiles().pagePasses(tile) + 1);
+    if (projector.tiles().pagePasses(tile) >= passes()) {
+        work.pages.erase(tile);
     }
     return {};
 }
@@ -355,18 +336,18 @@ AoStatus RayTracedTexels::upload(CubeMapProjector& projector, const TracedTexels
     shown.scene = traced.scene;
     shown.seen = seenSurfaces(traced);
     if (request.firstRay == 0) {
-        projector.dropBlocks(store_, blocks_, tile); // of an older scene
-        work.details.erase(tile);
+        projector.releasePages(tile); // of an older scene
+        work.pages.erase(tile);
     }
-    if (shown.seen.surfaces.empty() && !projector.keeps(request.face)) {
+    if (shown.seen.surfaces.empty() && !projector.hasFace(request.face)) {
         return {};
     }
-    if (AoStatus status = projector.keepFace(store_, request.face); !status) {
+    if (AoStatus status = projector.allocateFace(request.face); !status) {
         return status;
     }
     const TexelCodes codes = encodeTexels(traced, sums.sum, sums.rays, projector.depthCode());
-    store_.upload(projector.layer(request.face), {request.x, request.y},
-                  {request.width, request.height}, codes.visibility, codes.depth);
+    atlas_.faces.upload(projector.layer(request.face), {request.x, request.y},
+                        {request.width, request.height}, codes.visibility, codes.depth);
     return {};
 }
 
@@ -376,9 +357,9 @@ void RayTracedTexels::spanScene(CubeMapProjector& projector) {
         return;
     }
     const DistanceRange range = distanceRange(context_.scene, projector.position());
-    if (projector.spanDistances(store_, blocks_, range.nearest, range.farthest)) {
+    if (projector.spanDistances(range.nearest, range.farthest)) {
         work.tiles.clear();
-        work.details.clear();
+        work.pages.clear();
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "backbone/cubemapped/AbstractTexelSource.h"
@@ -20,16 +21,20 @@ namespace aolib {
 /// it, and the others go on.
 class RayTracedTexels final : public AbstractTexelSource {
 public:
-    RayTracedTexels(const BackboneContext& context, FaceStore& store, BlockStore& details,
-                    TracerQueue& queue)
-        : context_(context), store_(store), blocks_(details), queue_(queue) {}
+    /// @param atlas, queue  outlive it.
+    RayTracedTexels(const BackboneContext& context, TexelAtlas& atlas, TracerQueue& queue)
+        : context_(context), atlas_(atlas), queue_(queue) {}
 
     int passes() const override;
-    AoStatus complete(CubeMapProjector& projector) override;
-    AoStatus advance(const std::vector<CubeMapProjector*>& projectors,
-                     double milliseconds) override;
+    void beginFrame(const std::vector<CubeMapProjector*>& projectors) override {
+        projectors_ = projectors;
+    }
+    AoStatus endFrame() override;
+    std::optional<WorkUnit> next() override;
+    Result<int> step(int most) override;
     void await(double milliseconds) override { queue_.wait(milliseconds); }
-    bool lacks(const CubeMapProjector& projector) const override;
+    AoStatus complete(CubeMapProjector& projector) override;
+    bool hasPending(const CubeMapProjector& projector) const override;
     void sceneChanged(CubeMapProjector& projector, const Scene::Change& change,
                       float reach) override;
     void restart(CubeMapProjector& projector) override;
@@ -49,7 +54,7 @@ private:
     };
     struct Work {
         std::map<int, Tile> tiles;
-        std::map<int, Tile> details;
+        std::map<int, Tile> pages;
         std::vector<Shown> shown; ///< by tile
         bool spans = false;       ///< the projector's code spans the scene as it is
     };
@@ -66,34 +71,32 @@ private:
         std::vector<Wanted> refined;
     };
 
-    /// Rays per texel after a number of passes.
-    int raysAfter(int passes) const;
     Work& workOf(const CubeMapProjector& projector);
     const Shown& shown(const CubeMapProjector& projector, int tile);
-    /// Asks for the next pass of every tile that lacks one, the poorest first.
-    void request(const std::vector<CubeMapProjector*>& projectors);
-    Lists lists(const std::vector<CubeMapProjector*>& projectors);
+    /// Requests the next pass of every tile that lacks one, the poorest first.
+    void request();
+    Lists lists();
     TexelRequest requestFor(const Wanted& wanted) const;
     /// Whether a result is of this cube map, and of the options as they are but for the scene.
     bool fits(const CubeMapProjector& projector, const TracedTexels& traced, bool detail) const;
     /// Whether a result belongs to the scene and the radius as they are for a tile.
     bool counts(const CubeMapProjector& projector, const TracedTexels& traced, int tile);
-    /// Takes what is finished until the time is up.
-    AoStatus takeResults(const std::vector<CubeMapProjector*>& projectors, double milliseconds);
-    AoStatus take(CubeMapProjector& projector, const TracedTexels& traced, int tile);
+    AoStatus take(const TracedTexels& traced);
+    AoStatus takeFace(CubeMapProjector& projector, const TracedTexels& traced, int tile);
     /// Shows a result that is out of date, where it is newer than what is shown.
     AoStatus takeOutdated(CubeMapProjector& projector, const TracedTexels& traced, int tile);
-    AoStatus takeDetail(CubeMapProjector& projector, const TracedTexels& traced, int tile);
+    AoStatus takePage(CubeMapProjector& projector, const TracedTexels& traced, int tile);
     /// Adds a pass. @return false when it has been traced before.
     static bool add(Tile& sums, const TracedTexels& traced);
     AoStatus upload(CubeMapProjector& projector, const TracedTexels& traced, const Tile& sums,
                     int tile);
+    /// Makes the code of depths span the scene as it is.
     void spanScene(CubeMapProjector& projector);
 
     const BackboneContext context_;
-    FaceStore& store_;
-    BlockStore& blocks_;
+    TexelAtlas& atlas_;
     TracerQueue& queue_;
+    std::vector<CubeMapProjector*> projectors_; ///< of the frame
     std::map<CubeMapId, Work> works_;
     TileTurns turns_;
     std::size_t queued_ = 0;

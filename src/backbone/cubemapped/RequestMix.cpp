@@ -14,16 +14,16 @@ double raysOf(const TexelRequest& request) {
 
 } // namespace
 
-void RequestMix::set(Asker asker, std::vector<TexelRequest> requests) {
+void RequestMix::set(Client client, std::vector<TexelRequest> requests) {
     if (requests.empty()) {
-        shares_.erase(asker);
+        shares_.erase(client);
         return;
     }
     double least = std::numeric_limits<double>::infinity();
     for (const auto& [other, share] : shares_) {
         least = std::min(least, share.had);
     }
-    const auto [found, isNew] = shares_.try_emplace(asker);
+    const auto [found, isNew] = shares_.try_emplace(client);
     if (isNew && least < std::numeric_limits<double>::infinity()) {
         found->second.had = least; // a newcomer does not keep the others waiting
     }
@@ -31,8 +31,8 @@ void RequestMix::set(Asker asker, std::vector<TexelRequest> requests) {
                                  std::make_move_iterator(requests.end()));
 }
 
-void RequestMix::answered(Asker asker, std::uint64_t key) {
-    const auto found = shares_.find(asker);
+void RequestMix::answered(Client client, std::uint64_t key) {
+    const auto found = shares_.find(client);
     if (found == shares_.end()) {
         return;
     }
@@ -45,8 +45,8 @@ void RequestMix::answered(Asker asker, std::uint64_t key) {
     }
 }
 
-std::size_t RequestMix::count(Asker asker) const {
-    const auto found = shares_.find(asker);
+std::size_t RequestMix::count(Client client) const {
+    const auto found = shares_.find(client);
     return found != shares_.end() ? found->second.waiting.size() : 0;
 }
 
@@ -58,7 +58,7 @@ std::vector<TexelRequest> RequestMix::mixed() const {
     };
     std::vector<Turn> turns;
     std::size_t count = 0;
-    for (const auto& [asker, share] : shares_) {
+    for (const auto& [client, share] : shares_) {
         turns.push_back({&share.waiting, 0, share.had});
         count += share.waiting.size();
     }

@@ -14,17 +14,17 @@ namespace aolib {
 /// alike: whoever has had the fewest rays is next. No GL.
 class RequestMix {
 public:
-    using Asker = unsigned;
+    using Client = unsigned;
 
-    /// Replaces what one asker waits for.
-    void set(Asker asker, std::vector<TexelRequest> requests);
-    /// One of an asker's requests was answered; nothing happens where it waits for none of this
+    /// Replaces what one client waits for.
+    void set(Client client, std::vector<TexelRequest> requests);
+    /// One of a client's requests was answered; nothing happens where it waits for none of this
     /// key.
-    void answered(Asker asker, std::uint64_t key);
+    void answered(Client client, std::uint64_t key);
     /// Nobody waits for anything.
     void clear() { shares_.clear(); }
 
-    std::size_t count(Asker asker) const;
+    std::size_t count(Client client) const;
     /// All that is waited for, in the order in which it is to be traced.
     std::vector<TexelRequest> mixed() const;
 
@@ -33,7 +33,7 @@ private:
         std::deque<TexelRequest> waiting;
         double had = 0.0; ///< rays, of what was answered
     };
-    std::map<Asker, Share> shares_; ///< of those who wait
+    std::map<Client, Share> shares_; ///< of those who wait
 };
 
 } // namespace aolib

@@ -15,14 +15,14 @@ namespace {
 constexpr float kCoarse = 1.25F;
 
 /// The same for one cube map. @param covered  by point; set for those that it may shade yet.
-void requestTilesOf(CubeMapProjector& projector, const SurveyAnswer& answer,
-                    const BlockStore& blocks, int passes, AskedTiles& asked,
+void requestTilesOf(CubeMapProjector& projector, const FeedbackResult& answer,
+                    const PageStore& pages, int passes, TileSet& requested,
                     std::vector<bool>& covered) {
-    const bool ofHidden = blocks.scale() == 1;
-    const bool recent = answer.frame >= projector.shownMoreIn;
+    const bool ofHidden = pages.kind() == PageKind::HiddenLayer;
+    const bool recent = projector.isSeenBy(answer.frame);
     const bool seen = std::ranges::count(answer.projected, projector.id()) > 0;
     const glm::vec3 toEye(answer.eye - glm::dvec3(projector.position()));
-    TileProgress& tiles = projector.tiles;
+    const TileTable& tiles = projector.tiles();
     const auto size = static_cast<float>(tiles.faceSize());
     for (std::size_t i = 0; i < answer.points.size(); ++i) {
         const glm::vec3 p = toEye + answer.points[i];
@@ -34,19 +34,19 @@ void requestTilesOf(CubeMapProjector& projector, const SurveyAnswer& answer,
         }
         const glm::vec2 at = glm::vec2(inFace) * perUnit + 0.5F * size;
         const bool hidden = ofHidden && answer.hiddenFrom[i] == projector.id();
-        const bool block =
+        const bool page =
             ofHidden ? recent && hidden : 1.0F > kCoarse * answer.footprints[i] * perUnit;
-        tiles.ask(face, at, block && blocks.fits() ? passes : 0, &asked);
+        projector.request(face, at, page && pages.fits() ? passes : 0, requested);
         if (!covered[i]) {
             const int tile = tiles.tileAt(face, at);
-            covered[i] = !seen || !tiles.begunBefore(tile, answer.frame) ||
-                         (hidden && (!recent || tiles.lacksBlocks(tile, passes)));
+            covered[i] = !seen || !tiles.isKnownSince(tile, answer.frame) ||
+                         (hidden && (!recent || tiles.hasPendingPages(tile, passes)));
         }
     }
 }
 
 /// The point nearest to the middle of those that are not covered.
-std::optional<glm::vec3> missingOf(const SurveyAnswer& answer, const std::vector<bool>& covered) {
+std::optional<glm::vec3> missingOf(const FeedbackResult& answer, const std::vector<bool>& covered) {
     glm::dvec3 sum(0.0);
     double count = 0.0;
     for (std::size_t i = 0; i < covered.size(); ++i) {
@@ -69,11 +69,11 @@ std::optional<glm::vec3> missingOf(const SurveyAnswer& answer, const std::vector
 } // namespace
 
 RequestedTiles requestTiles(const std::vector<CubeMapProjector*>& projectors,
-                            const SurveyAnswer& answer, const BlockStore& blocks, int passes,
-                            std::map<CubeMapId, AskedTiles>& asked) {
+                            const FeedbackResult& answer, const PageStore& pages, int passes,
+                            std::map<CubeMapId, TileSet>& requested) {
     std::vector<bool> covered = answer.shades;
     for (CubeMapProjector* projector : projectors) {
-        requestTilesOf(*projector, answer, blocks, passes, asked[projector->id()], covered);
+        requestTilesOf(*projector, answer, pages, passes, requested[projector->id()], covered);
     }
     if (covered.empty()) {
         return {};

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "backbone/cubemapped/CubeMapProjector.h"
-#include "backbone/cubemapped/Survey.h"
+#include "backbone/cubemapped/FeedbackPass.h"
 
 namespace aolib {
 
@@ -15,14 +15,14 @@ struct RequestedTiles {
     std::optional<glm::vec3> missing; ///< one amidst those that are not, world units
 };
 
-/// Asks for the tiles of cube maps in which a survey's points lie; for their blocks, too, where
+/// Asks for the tiles of cube maps in which a survey's points lie; for their pages, too, where
 /// pixels are finer than texels, or where something hides a point from the cube map that might know
-/// it: as the scale of the blocks says.
+/// it: as the scale of the pages says.
 /// @param projectors  those in use
-/// @param passes      that a block needs
-/// @param asked       by the view, noted here
+/// @param passes      that a page needs
+/// @param requested   by the view, to which they are added
 RequestedTiles requestTiles(const std::vector<CubeMapProjector*>& projectors,
-                            const SurveyAnswer& answer, const BlockStore& blocks, int passes,
-                            std::map<CubeMapId, AskedTiles>& asked);
+                            const FeedbackResult& answer, const PageStore& pages, int passes,
+                            std::map<CubeMapId, TileSet>& requested);
 
 } // namespace aolib

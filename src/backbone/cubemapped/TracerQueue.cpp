@@ -10,24 +10,25 @@ namespace aolib {
 
 namespace {
 
-using Asker = TracerQueue::Asker;
+using Client = TracerQueue::Client;
 
 /// Set in the keys of pixels, of which the bits below name the view's slot.
 constexpr std::uint64_t kPixels = std::uint64_t{1} << 63U;
 constexpr unsigned kSlotShift = 56;
 
-unsigned numberOf(Asker asker) {
-    return static_cast<unsigned>(asker);
+unsigned numberOf(Client client) {
+    return static_cast<unsigned>(client);
 }
 
-/// What an asker's keys are marked by.
-std::uint64_t markOf(Asker asker) {
-    return asker == Asker::Texels ? 0 : kPixels | std::uint64_t{numberOf(asker) - 1U} << kSlotShift;
+/// What a client's keys are marked by.
+std::uint64_t markOf(Client client) {
+    return client == Client::Texels ? 0
+                                    : kPixels | std::uint64_t{numberOf(client) - 1U} << kSlotShift;
 }
 
-Asker askerOf(std::uint64_t key) {
+Client clientOf(std::uint64_t key) {
     return (key & kPixels) == 0
-               ? Asker::Texels
+               ? Client::Texels
                : TracerQueue::pixelsOf(static_cast<unsigned>((key & ~kPixels) >> kSlotShift));
 }
 
@@ -42,32 +43,47 @@ void TracerQueue::setScene(const Scene& scene) {
         tracer_.setScene(std::move(all.positions), std::move(all.indices), std::move(all.normals));
 }
 
-void TracerQueue::request(Asker asker, std::vector<TexelRequest> queue) {
+void TracerQueue::request(Client client, std::vector<TexelRequest> queue) {
     for (TexelRequest& request : queue) {
-        request.key |= markOf(asker);
+        request.key |= markOf(client);
     }
-    waiting_.set(numberOf(asker), std::move(queue));
+    waiting_.set(numberOf(client), std::move(queue));
     tracer_.request(waiting_.mixed());
 }
 
-void TracerQueue::drop(Asker asker) {
-    finished_.erase(asker);
-    if (waiting_.count(numberOf(asker)) > 0) {
-        waiting_.set(numberOf(asker), {});
+void TracerQueue::drop(Client client) {
+    finished_.erase(client);
+    if (waiting_.count(numberOf(client)) > 0) {
+        waiting_.set(numberOf(client), {});
         tracer_.request(waiting_.mixed());
     }
 }
 
-std::vector<TracedTexels> TracerQueue::take(Asker asker, std::size_t most) {
-    std::deque<TracedTexels>& mine = finished_[asker];
-    if (mine.size() < most) {
-        for (TracedTexels& traced : tracer_.take(most)) {
-            const std::uint64_t key = traced.request.key;
-            const Asker by = askerOf(key);
-            waiting_.answered(numberOf(by), key);
-            traced.request.key = key & ~markOf(by);
-            finished_[by].push_back(std::move(traced));
+bool TracerQueue::collect(std::size_t most) {
+    std::vector<TracedTexels> collected = tracer_.take(most);
+    for (TracedTexels& traced : collected) {
+        const std::uint64_t key = traced.request.key;
+        const Client by = clientOf(key);
+        waiting_.answered(numberOf(by), key);
+        traced.request.key = key & ~markOf(by);
+        finished_[by].push_back(std::move(traced));
+    }
+    return !collected.empty();
+}
+
+bool TracerQueue::hasResult(Client client) {
+    while (finished_[client].empty()) {
+        if (!collect(1)) {
+            return false;
         }
+    }
+    return true;
+}
+
+std::vector<TracedTexels> TracerQueue::take(Client client, std::size_t most) {
+    std::deque<TracedTexels>& mine = finished_[client];
+    if (mine.size() < most) {
+        collect(most - mine.size());
     }
     const auto end = mine.begin() + static_cast<std::ptrdiff_t>(std::min(most, mine.size()));
     std::vector<TracedTexels> taken(std::make_move_iterator(mine.begin()),
@@ -76,9 +92,9 @@ std::vector<TracedTexels> TracerQueue::take(Asker asker, std::size_t most) {
     return taken;
 }
 
-std::size_t TracerQueue::pending(Asker asker) const {
-    const auto found = finished_.find(asker);
-    return (found != finished_.end() ? found->second.size() : 0) + waiting_.count(numberOf(asker));
+std::size_t TracerQueue::pending(Client client) const {
+    const auto found = finished_.find(client);
+    return (found != finished_.end() ? found->second.size() : 0) + waiting_.count(numberOf(client));
 }
 
 } // namespace aolib

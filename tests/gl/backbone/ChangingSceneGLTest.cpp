@@ -25,6 +25,8 @@ protected:
         addBox(model, {-8, 0, -3}, {8, 2, -2});
         return model;
     }
+    static constexpr int kFramesInARow = 40;
+
     static Options options(Estimator estimator) {
         Options o = ProgressiveTest::options(estimator);
         o.radius = kRadius;
@@ -89,7 +91,12 @@ protected:
                 return std::abs(host.visibilityAt(point) - still.visibilityAt(point)) <= tolerance;
             });
         };
-        EXPECT_TRUE(moveUntil(host, id, converged));
+        // A value that is near the last one by chance is not there yet: passes go on.
+        int inARow = 0;
+        EXPECT_TRUE(moveUntil(host, id, [&] {
+            inARow = converged() ? inARow + 1 : 0;
+            return inARow >= kFramesInARow;
+        }));
         // It stays so.
         int worse = 0;
         for (int i = 0; i < 30; ++i) {
@@ -211,12 +218,12 @@ TEST_P(ChangingSceneGLTest, PixelsOfAViewAtRestStayWhereNothingMoves) {
     const MeshId id = *host.ao().addMesh(box(at(0)));
     ASSERT_GT(converge(host), 0);
     const glm::vec3 edge{-5, 2, -2}; // of the wall's top, between texels
-    const float repaired = host.visibilityAt(edge);
+    const float refined = host.visibilityAt(edge);
     for (int i = 0; i < 20; ++i) {
         (void)moveUntil(host, id, [] { return true; });
-        ASSERT_EQ(host.visibilityAt(edge), repaired) << i;
+        ASSERT_EQ(host.visibilityAt(edge), refined) << i;
     }
-    ASSERT_GT(converge(host), 0) << "and all of it is repaired again once it rests";
+    ASSERT_GT(converge(host), 0) << "and all of it is refined again once it rests";
 }
 
 /// The farther a scene reaches, the coarser cube maps keep distances: they begin anew for that a

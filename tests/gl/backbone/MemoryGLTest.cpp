@@ -6,7 +6,7 @@
 
 #include "GlObjects.h"
 #include "SmallScene.h"
-#include "backbone/cubemapped/TileProgress.h"
+#include "backbone/cubemapped/TileTable.h"
 
 namespace aolib {
 namespace {
@@ -17,7 +17,7 @@ protected:
     static constexpr std::size_t kTexels = std::size_t{6} * kFaceSize * kFaceSize;
     /// Two numbers per tile, which say where its detail lies.
     static constexpr std::size_t kPages =
-        std::size_t{6} * (kFaceSize / TileProgress::kTile) * (kFaceSize / TileProgress::kTile) * 4;
+        std::size_t{6} * (kFaceSize / TileTable::kTile) * (kFaceSize / TileTable::kTile) * 4;
 
     /// All textures and buffers of the context, bytes.
     std::size_t inUse() {

@@ -161,13 +161,13 @@ TEST_P(ProgressiveGLTest, AViewIsSurveyedAsOftenAsItChanges) {
     ASSERT_TRUE(host.ao().addCubeMap({0.5F, 3, 5}).ok());
     ASSERT_GT(converge(host), 0);
     const auto surveysIn = [&](int frames) {
-        std::set<std::uint64_t> surveyed{host.ao().statistics().coverageFrame};
+        std::set<std::uint64_t> hasFeedback{host.ao().statistics().coverageFrame};
         for (int i = 0; i < frames; ++i) {
             EXPECT_TRUE(host.frame().ok());
             gl.Finish();
-            surveyed.insert(host.ao().statistics().coverageFrame);
+            hasFeedback.insert(host.ao().statistics().coverageFrame);
         }
-        return surveyed.size() - 1;
+        return hasFeedback.size() - 1;
     };
     surveysIn(8); // those that were on their way
     const std::size_t atRest = surveysIn(32);

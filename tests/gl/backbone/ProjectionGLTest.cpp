@@ -101,7 +101,7 @@ TEST_P(ProjectionGLTest, BothMethodsGiveTheSamePixels) {
     };
     const auto [single, singleW] = render(ProjectionMethod::SinglePass);
     const auto [pingPong, pingPongW] = render(ProjectionMethod::PingPong);
-    EXPECT_EQ(single, pingPong) << "as the host sees them";
+    EXPECT_EQ(single, pingPong) << "as the host isVisible them";
     EXPECT_EQ(singleW, pingPongW) << "as they are read back";
 }
 

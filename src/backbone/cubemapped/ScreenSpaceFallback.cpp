@@ -1,4 +1,4 @@
-#include "backbone/cubemapped/Fallback.h"
+#include "backbone/cubemapped/ScreenSpaceFallback.h"
 
 #include <utility>
 
@@ -10,7 +10,7 @@ namespace aolib {
 namespace {
 
 constexpr int kDepthUnit = 0;
-constexpr int kToldUnit = 1;
+constexpr int kMaskUnit = 1;
 constexpr int kSides = 8; ///< half slices
 constexpr int kSteps = 8; ///< of each
 /// Assumed depth of what is in sight, in radii, where no option says another (docs/accuracy.md has
@@ -23,23 +23,23 @@ constexpr float kLeastInSoftware = 0.5F;
 
 } // namespace
 
-bool Fallback::due(const BackboneContext& context, float shaded, bool atOnce) {
+bool ScreenSpaceFallback::due(const BackboneContext& context, float shaded, bool atOnce) {
     const bool dear = context.gl.capabilities.software && shaded < kLeastInSoftware;
     return context.options.cubeMaps.fallback && !context.scene.empty() && shaded < 1.0F &&
            (!dear || atOnce);
 }
 
-Result<Fallback> Fallback::create(const BackboneContext& context) {
+Result<ScreenSpaceFallback> ScreenSpaceFallback::create(const BackboneContext& context) {
     auto visibility = buildShader(context.gl, "fullscreen.vert", "cubemap/fallback.frag");
     if (!visibility) {
         return visibility.status();
     }
-    Fallback fallback;
+    ScreenSpaceFallback fallback;
     fallback.visibility_ = std::move(*visibility);
     return fallback;
 }
 
-void Fallback::bind(const FrameContext& context) {
+void ScreenSpaceFallback::bind(const FrameContext& context) {
     visibility_.bind();
     context.host.bindDepth(kDepthUnit);
     visibility_.set("uDepth", kDepthUnit);
@@ -53,25 +53,26 @@ void Fallback::bind(const FrameContext& context) {
     visibility_.set("uSteps", kSteps);
 }
 
-void Fallback::fillTold(const FrameContext& context, const gl::RenderToTexture2D& told) {
+void ScreenSpaceFallback::fillTexture(const FrameContext& context,
+                                      const gl::RenderToTexture2D& masked) {
     const gl::Functions& gl = context.gl;
     const gl::DebugGroup group(gl, "aolib: shade what no cube map knows");
     bind(context);
-    visibility_.set("uTold", kDepthUnit); // not read
-    visibility_.set("uByTold", 0);
-    told.begin(0);
+    visibility_.set("uMask", kDepthUnit); // not read
+    visibility_.set("uUseMask", 0);
+    masked.begin(0);
     gl.Enable(GL_DEPTH_TEST); // known pixels fail it: a software rasteriser, too, spares them all
     context.generated.drawFullscreen();
     gl.Disable(GL_DEPTH_TEST);
 }
 
-void Fallback::fill(const FrameContext& context, const gl::RenderToTexture2D& projected,
-                    const gl::RenderToTexture2D& visibility) {
+void ScreenSpaceFallback::fill(const FrameContext& context, const gl::RenderToTexture2D& projected,
+                               const gl::RenderToTexture2D& visibility) {
     const gl::DebugGroup group(context.gl, "aolib: shade what no cube map knows");
     bind(context);
-    projected.bindTexture(0, kToldUnit);
-    visibility_.set("uTold", kToldUnit);
-    visibility_.set("uByTold", 1);
+    projected.bindTexture(0, kMaskUnit);
+    visibility_.set("uMask", kMaskUnit);
+    visibility_.set("uUseMask", 1);
     visibility.begin(0);
     context.gl.ColorMaski(0, GL_TRUE, GL_FALSE, GL_FALSE, GL_FALSE);
     context.generated.drawFullscreen();

@@ -12,7 +12,7 @@
 namespace aolib {
 
 /// What a view showed in one of its frames, sampled sparsely.
-struct SurveyAnswer {
+struct FeedbackResult {
     std::uint64_t frame = 0;
     float shaded = -1.0F;          ///< share of the surfaces; 1 when there are none; -1 unknown
     float surfaces = -1.0F;        ///< share of the samples that show one; -1 unknown
@@ -30,43 +30,43 @@ struct SurveyAnswer {
 };
 
 /// The surveys of one view that are on their way.
-class PendingSurveys {
+class PendingFeedback {
 public:
     /// The newest answer that has arrived since the last call, if any.
-    std::optional<SurveyAnswer> poll();
+    std::optional<FeedbackResult> poll();
     /// Forgets what was sampled before now: the cube maps have changed.
     void restart();
 
 private:
-    friend class Survey;
+    friend class FeedbackPass;
     struct Request {
         gl::PixelReadback readback;
         std::uint64_t frame = 0;
         glm::dvec3 eye{0.0};
         std::vector<CubeMapId> cubeMaps; ///< by the numbers that samples name them by
     };
-    static SurveyAnswer evaluate(const Request& request, std::span<const std::uint8_t> pixels);
+    static FeedbackResult evaluate(const Request& request, std::span<const std::uint8_t> pixels);
 
     std::vector<Request> requests_; ///< empty before the first survey
 };
 
 /// Samples, frames later and without a stall, what the host's view shows: which share of it is
 /// shaded (thesis 4.6), and where the surfaces are that cube maps have to know.
-class Survey {
+class FeedbackPass {
 public:
     /// Errors: ShaderError, OutOfMemory.
-    static Result<Survey> create(const BackboneContext& context);
+    static Result<FeedbackPass> create(const BackboneContext& context);
 
     /// Starts sampling a frame of a view, unless all its readbacks are still on their way.
     /// Errors: OutOfMemory.
     AoStatus take(const FrameContext& context, const ProjectedCubeMaps& cubeMaps,
-                  std::uint64_t frameNumber, PendingSurveys& into);
+                  std::uint64_t frameNumber, PendingFeedback& into);
 
 private:
     static constexpr int kSize = 128;       ///< samples along the small target's edge
     static constexpr std::size_t kMost = 3; ///< on their way for a view
 
-    AoStatus makeReadbacks(const BackboneContext& context, PendingSurveys& of) const;
+    AoStatus makeReadbacks(const BackboneContext& context, PendingFeedback& of) const;
 
     gl::GLSLShader shader_;
     gl::RenderToTexture2D target_;

@@ -1,8 +1,6 @@
-#include "backbone/cubemapped/TracedPixels.h"
+#include "backbone/cubemapped/RayTracedRefiner.h"
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
 #include <cstring>
 #include <utility>
 
@@ -32,79 +30,104 @@ constexpr float kPixelCentre = 0.5F; ///< of a pixel
 
 } // namespace
 
-Result<gl::GLSLShader> TracedPixels::createShader(const BackboneContext& context) {
-    return buildShader(context.gl, "fullscreen.vert", "cubemap/doubt.frag", {"AO_BLOCKS"});
+Result<gl::GLSLShader> RayTracedRefiner::createShader(const BackboneContext& context) {
+    return buildShader(context.gl, "fullscreen.vert", "cubemap/doubt.frag", {"AO_PAGES"});
 }
 
-void TracedPixels::restart() {
+void RayTracedRefiner::restart() {
     if (phase_ == Phase::Tracing) {
-        queue_.drop(asker_);
+        queue_.drop(client_);
     }
     phase_ = Phase::Waiting;
     generation_ = queue_.nextGeneration();
-    doubt_ = {};
+    lowConfidence_ = {};
     readback_ = {};
     tiles_.clear();
     surfaces_.clear();
 }
 
-AoStatus TracedPixels::advance(const RestingView& view, FoundPixels& found, double milliseconds) {
-    if (phase_ == Phase::Waiting) {
-        if (AoStatus status = ask(view); !status) {
-            return status;
-        }
+std::optional<WorkUnit> RayTracedRefiner::next() {
+    switch (phase_) {
+    case Phase::Waiting:
+        return WorkUnit::Prepare;
+    case Phase::Reading:
+    case Phase::Tracing:
+        return WorkUnit::Upload;
+    case Phase::Done:
+        break;
     }
-    if (phase_ == Phase::Asked) {
-        if (std::isinf(milliseconds)) {
-            view.context.gl.Finish();
-        }
-        readback_.poll([&](auto depths) { plan(view.context.frame, depths); });
-        if (phase_ == Phase::Tracing) {
-            found.count = 0;
-            if (AoStatus status = found.makeRoom(view.context.gl, view.context.frame.size);
-                !status) {
-                restart();
-                return status;
-            }
-        }
-    }
-    return phase_ == Phase::Tracing ? trace(view, found, milliseconds) : AoStatus();
+    return std::nullopt;
 }
 
-AoStatus TracedPixels::trace(const RestingView& view, FoundPixels& found, double milliseconds) {
-    const auto start = std::chrono::steady_clock::now();
-    const bool toTheEnd = std::isinf(milliseconds);
-    while (phase_ == Phase::Tracing) {
-        if (queue_.pending(asker_) == 0) {
-            queue_.request(asker_, requests(view));
-        }
-        if (toTheEnd) {
-            queue_.wait(1000.0);
-        }
-        const std::vector<TracedTexels> results = queue_.take(asker_, 1);
-        if (!queue_.status()) {
-            return queue_.status();
-        }
-        for (const TracedTexels& traced : results) {
-            take(traced, view.context.frame.size, found);
-        }
-        const std::chrono::duration<double, std::milli> spent =
-            std::chrono::steady_clock::now() - start;
-        if (!toTheEnd && (results.empty() || spent.count() >= milliseconds)) {
-            break;
-        }
+bool RayTracedRefiner::isReady() {
+    switch (phase_) {
+    case Phase::Reading:
+        return readback_.arrived();
+    case Phase::Tracing:
+        return queue_.hasResult(client_) || queue_.pending(client_) == 0 || !queue_.status();
+    default:
+        return true;
     }
-    return {};
 }
 
-Result<gl::GLSLShader*> TracedPixels::shaderFor(const RestingView& view) {
+void RayTracedRefiner::await(const StaticView& view, double milliseconds) {
+    if (phase_ == Phase::Reading) {
+        view.context.gl.Finish();
+    } else {
+        queue_.wait(milliseconds);
+    }
+}
+
+Result<int> RayTracedRefiner::step(const StaticView& view, RefinedPixels& pixels, int most) {
+    if (phase_ == Phase::Tracing) {
+        return takePixels(view, pixels, most);
+    }
+    AoStatus status = phase_ == Phase::Waiting ? findPixels(view) : readPixels(view, pixels);
+    if (!status) {
+        return status;
+    }
+    return 1;
+}
+
+AoStatus RayTracedRefiner::readPixels(const StaticView& view, RefinedPixels& pixels) {
+    const Frame& frame = view.context.frame;
+    if (!readback_.finish([&](auto depths) { plan(frame, depths); })) {
+        restart();
+        return {StatusCode::OutOfMemory, "aolib/refiner: mapping the readback buffer failed"};
+    }
+    if (phase_ != Phase::Tracing) {
+        return {};
+    }
+    pixels.count = 0;
+    AoStatus status = pixels.makeRoom(view.context.gl, frame.size);
+    if (!status) {
+        restart();
+    }
+    return status;
+}
+
+Result<int> RayTracedRefiner::takePixels(const StaticView& view, RefinedPixels& pixels, int most) {
+    if (!queue_.status()) {
+        return queue_.status();
+    }
+    const std::vector<TracedTexels> results = queue_.take(client_, static_cast<std::size_t>(most));
+    for (const TracedTexels& traced : results) {
+        take(traced, view.context.frame.size, pixels);
+    }
+    if (phase_ == Phase::Tracing && queue_.pending(client_) == 0) {
+        queue_.request(client_, requests(view));
+    }
+    return static_cast<int>(results.size());
+}
+
+Result<gl::GLSLShader*> RayTracedRefiner::shaderFor(const StaticView& view) {
     const HostSamples* samples = view.context.host.samples();
     if (samples == nullptr) {
         return &shader_;
     }
     if (!sampled_) {
         auto shader = buildShader(view.context.gl, "fullscreen.vert", "cubemap/doubt.frag",
-                                  {"AO_BLOCKS", "AO_SAMPLES"});
+                                  {"AO_PAGES", "AO_SAMPLES"});
         if (!shader) {
             return shader.status();
         }
@@ -117,10 +140,10 @@ Result<gl::GLSLShader*> TracedPixels::shaderFor(const RestingView& view) {
     return &*sampled_;
 }
 
-AoStatus TracedPixels::ask(const RestingView& view) {
+AoStatus RayTracedRefiner::findPixels(const StaticView& view) {
     const gl::Functions& gl = view.context.gl;
     const glm::ivec2& size = view.context.frame.size;
-    const gl::DebugGroup group(gl, "aolib: doubtful pixels");
+    const gl::DebugGroup group(gl, "aolib: pixels of low confidence");
     using Format = gl::RenderToTexture2D::Format;
     const HostSamples* samples = view.context.host.samples();
     channels_ = samples == nullptr ? kDepthAlone : kDepthAndSeen;
@@ -132,17 +155,17 @@ AoStatus TracedPixels::ask(const RestingView& view) {
         gl, {.width = size.x,
              .height = size.y,
              .targets = {samples == nullptr ? Format::R32F : Format::RGBA32F},
-             .label = "aolib/repair/doubt"});
+             .label = "aolib/refiner/confidence"});
     if (!doubt) {
         return doubt.status();
     }
-    auto readback = gl::PixelReadback::create(gl, doubt->bytes(), "aolib/repair/readback");
+    auto readback = gl::PixelReadback::create(gl, doubt->bytes(), "aolib/refiner/readback");
     if (!readback) {
         return readback.status();
     }
-    doubt_ = std::move(*doubt);
+    lowConfidence_ = std::move(*doubt);
     readback_ = std::move(*readback);
-    doubt_.begin(0);
+    lowConfidence_.begin(0);
     Projection::bind(**shader, view.context, view.cubeMaps);
     if (samples == nullptr) {
         view.context.generated.drawFullscreen();
@@ -150,17 +173,17 @@ AoStatus TracedPixels::ask(const RestingView& view) {
         const gl::MultisampleBinding binding = samples->bindSamples(gl);
         view.context.generated.drawFullscreen();
     }
-    doubt_.beginRead(0);
+    lowConfidence_.beginRead(0);
     readback_.start(size.x, size.y, samples == nullptr ? GL_RED : GL_RGBA, GL_FLOAT);
-    phase_ = Phase::Asked;
+    phase_ = Phase::Reading;
     return {};
 }
 
-bool TracedPixels::isAltered(const Bounds& within, bool /*texels*/) const {
+bool RayTracedRefiner::isAltered(const Bounds& within, bool /*texels*/) const {
     return std::ranges::any_of(surfaces_, [&](const Bounds& seen) { return seen.meets(within); });
 }
 
-Bounds TracedPixels::surfacesOf(const std::vector<Pixel>& pixels, const Frame& frame) {
+Bounds RayTracedRefiner::surfacesOf(const std::vector<Pixel>& pixels, const Frame& frame) {
     Bounds bounds;
     float footprint = 0.0F;
     for (const Pixel& pixel : pixels) {
@@ -173,7 +196,7 @@ Bounds TracedPixels::surfacesOf(const std::vector<Pixel>& pixels, const Frame& f
     return bounds.inflated(footprint);
 }
 
-void TracedPixels::plan(const Frame& frame, std::span<const std::uint8_t> depths) {
+void RayTracedRefiner::plan(const Frame& frame, std::span<const std::uint8_t> depths) {
     const glm::ivec2 size = frame.size;
     std::vector<float> rows(depths.size() / sizeof(float));
     std::memcpy(rows.data(), depths.data(), rows.size() * sizeof(float));
@@ -204,11 +227,11 @@ void TracedPixels::plan(const Frame& frame, std::span<const std::uint8_t> depths
             }
         }
     }
-    doubt_ = {};
+    lowConfidence_ = {};
     phase_ = tiles_.empty() ? Phase::Done : Phase::Tracing;
 }
 
-std::vector<TexelRequest> TracedPixels::requests(const RestingView& view) const {
+std::vector<TexelRequest> RayTracedRefiner::requests(const StaticView& view) const {
     const HostCamera& camera = view.context.frame.camera;
     const Options& options = view.context.options;
     const glm::vec3 centre(camera.eye());
@@ -247,7 +270,8 @@ std::vector<TexelRequest> TracedPixels::requests(const RestingView& view) const 
     return queue;
 }
 
-void TracedPixels::take(const TracedTexels& traced, const glm::ivec2& size, FoundPixels& found) {
+void RayTracedRefiner::take(const TracedTexels& traced, const glm::ivec2& size,
+                            RefinedPixels& pixels) {
     const std::uint64_t key = traced.request.key;
     const std::size_t number = key & ((1U << kRepairTileBits) - 1U);
     if (key >> kRepairTileBits != generation_ || tiles_[number].empty()) {
@@ -258,7 +282,7 @@ void TracedPixels::take(const TracedTexels& traced, const glm::ivec2& size, Foun
     const glm::ivec2 extent = glm::min(glm::ivec2(kTile), size - origin);
     std::vector<glm::vec2> texels(static_cast<std::size_t>(extent.x) *
                                       static_cast<std::size_t>(extent.y),
-                                  FoundPixels::kNothing);
+                                  RefinedPixels::kNothing);
     for (std::size_t i = 0; i < tile.size(); ++i) {
         if (traced.distance[i] < 0.0F) {
             continue; // the host draws what the scene does not have
@@ -266,12 +290,12 @@ void TracedPixels::take(const TracedTexels& traced, const glm::ivec2& size, Foun
         const glm::ivec2 at = tile[i].at - origin;
         texels[static_cast<std::size_t>(at.y) * static_cast<std::size_t>(extent.x) +
                static_cast<std::size_t>(at.x)] = {traced.visibility[i], tile[i].depth};
-        ++found.count;
+        ++pixels.count;
     }
-    found.texture()->upload(0, origin, extent, texels.data());
+    pixels.texture()->upload(0, origin, extent, texels.data());
     tile.clear();
     const bool left = std::any_of(tiles_.begin(), tiles_.end(),
-                                  [](const auto& pixels) { return !pixels.empty(); });
+                                  [](const auto& ofTile) { return !ofTile.empty(); });
     phase_ = left ? phase_ : Phase::Done;
 }
 

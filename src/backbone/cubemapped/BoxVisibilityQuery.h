@@ -6,14 +6,14 @@ namespace aolib {
 
 /// Asks the GPU whether a cube map sees anything of a region: whether the region's box lies before
 /// the distances that the cube map keeps.
-class SightTest {
+class BoxVisibilityQuery {
 public:
     /// Errors: ShaderError.
-    static Result<SightTest> create(const BackboneContext& context);
+    static Result<BoxVisibilityQuery> create(const BackboneContext& context);
 
     /// Waits for the answer. May say yes when it is no, never the other way.
-    bool sees(const BackboneContext& context, const CubeMapProjector& projector,
-              const FaceStore& store, const Bounds& region);
+    bool isVisible(const BackboneContext& context, const CubeMapProjector& projector,
+                   const FaceStore& store, const Bounds& region);
 
 private:
     gl::GLSLShader shader_;

@@ -1,4 +1,4 @@
-#include "backbone/cubemapped/FoundPixels.h"
+#include "backbone/cubemapped/RefinedPixels.h"
 
 #include <array>
 #include <utility>
@@ -6,7 +6,7 @@
 
 namespace aolib {
 
-AoStatus FoundPixels::makeRoom(const gl::Functions& gl, const glm::ivec2& size) {
+AoStatus RefinedPixels::makeRoom(const gl::Functions& gl, const glm::ivec2& size) {
     if (texture_) {
         return {};
     }
@@ -14,7 +14,7 @@ AoStatus FoundPixels::makeRoom(const gl::Functions& gl, const glm::ivec2& size) 
                                                  .height = size.y,
                                                  .layers = 1,
                                                  .format = gl::RenderToTexture2D::Format::RG32F,
-                                                 .label = "aolib/repair/pixels"});
+                                                 .label = "aolib/refiner/pixels"});
     if (created) {
         texture_ = std::move(*created);
         texture_->begin(0);
@@ -24,7 +24,7 @@ AoStatus FoundPixels::makeRoom(const gl::Functions& gl, const glm::ivec2& size) 
     return created.status();
 }
 
-void FoundPixels::drop(const glm::ivec2& low, const glm::ivec2& size) {
+void RefinedPixels::drop(const glm::ivec2& low, const glm::ivec2& size) {
     if (texture_ && size.x > 0 && size.y > 0) {
         const std::vector<glm::vec2> nothing(
             static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y), kNothing);
@@ -32,7 +32,7 @@ void FoundPixels::drop(const glm::ivec2& low, const glm::ivec2& size) {
     }
 }
 
-void FoundPixels::drop() {
+void RefinedPixels::drop() {
     texture_.reset();
     count = 0;
 }

@@ -1,4 +1,4 @@
-#include "backbone/cubemapped/SightTest.h"
+#include "backbone/cubemapped/BoxVisibilityQuery.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -26,18 +26,19 @@ bool hostCountsSamples(const gl::Functions& gl) {
 
 } // namespace
 
-Result<SightTest> SightTest::create(const BackboneContext& context) {
+Result<BoxVisibilityQuery> BoxVisibilityQuery::create(const BackboneContext& context) {
     auto shader = buildShader(context.gl, "cubemap/sees_box.vert", "cubemap/sees_box.frag");
     if (!shader) {
         return shader.status();
     }
-    SightTest test;
+    BoxVisibilityQuery test;
     test.shader_ = std::move(*shader);
     return test;
 }
 
-bool SightTest::sees(const BackboneContext& context, const CubeMapProjector& projector,
-                     const FaceStore& store, const Bounds& region) {
+bool BoxVisibilityQuery::isVisible(const BackboneContext& context,
+                                   const CubeMapProjector& projector, const FaceStore& store,
+                                   const Bounds& region) {
     const gl::Functions& gl = context.gl;
     const gl::DebugGroup group(gl, "aolib: does a cube map see a change");
     const glm::vec3 centre = projector.position();

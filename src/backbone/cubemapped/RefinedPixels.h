@@ -11,7 +11,7 @@ namespace aolib {
 
 /// W of pixels of a view at rest, and the depth in the host's buffer that each was found for: one
 /// layer, size of the frame.
-class FoundPixels {
+class RefinedPixels {
 public:
     /// Where nothing was found: no depth is negative.
     static constexpr glm::vec2 kNothing{1.0F, -1.0F};

@@ -7,10 +7,10 @@ namespace aolib {
 
 /// Shades what no cube map knows by what is in sight (shaders/cubemap/fallback.frag): far from the
 /// truth, but nearer than white. It costs by the pixels that it shades.
-class Fallback {
+class ScreenSpaceFallback {
 public:
     /// Errors: ShaderError.
-    static Result<Fallback> create(const BackboneContext& context);
+    static Result<ScreenSpaceFallback> create(const BackboneContext& context);
 
     /// Whether there is something for it to shade, and it is worth its cost.
     /// @param shaded  share of the surfaces that cube maps shade; -1 before anyone has looked
@@ -18,8 +18,8 @@ public:
     static bool due(const BackboneContext& context, float shaded, bool atOnce);
 
     /// Writes W of what no cube map knows.
-    /// @param told    as Projection::tell() gives it
-    void fillTold(const FrameContext& context, const gl::RenderToTexture2D& told);
+    /// @param masked    as Projection::tell() gives it
+    void fillTexture(const FrameContext& context, const gl::RenderToTexture2D& masked);
     /// The same into a target as Blur::apply() leaves it, as unshaded as they are.
     /// @param projected  as Projection::apply() gives it
     void fill(const FrameContext& context, const gl::RenderToTexture2D& projected,

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "backbone/cubemapped/AbstractPixelSource.h"
+#include "backbone/cubemapped/AbstractPixelRefiner.h"
 #include "backbone/cubemapped/DeferredShading.h"
 
 namespace aolib {
@@ -13,24 +13,28 @@ namespace aolib {
 /// finer steps than a texel's: the view as a cube map of its own, in which what the view shows has
 /// its pixels for texels. What is captured goes when the last pixel is done. Scenes of triangles,
 /// and views of perspective cameras, of up to four million pixels; in others texels have to do.
-class LayeredPixels final : public AbstractPixelSource {
+class LayeredRefiner final : public AbstractPixelRefiner {
 public:
     /// What the sources of all views share.
     struct Shared {
         gl::GLSLShader visibility;
         gl::GLSLShader keep;
-        FrameBudget budget;
     };
     /// Errors: ShaderError, OutOfMemory.
     static Result<Shared> createShared(const BackboneContext& context);
     /// All outlive it.
-    LayeredPixels(Shared& shared, const SceneGeometry& geometry, DeferredShading& shading)
+    LayeredRefiner(Shared& shared, const SceneGeometry& geometry, DeferredShading& shading)
         : shared_(shared), geometry_(geometry), shading_(shading) {}
 
     void restart() override;
-    void lookAgain() override {} // what other cube maps know is not asked
+    void invalidate() override {} // it depends on no cube map
+    std::optional<WorkUnit> next() override;
+    bool isReady() override;
     /// Errors: NoScene, OutOfMemory, MissingCapability, ShaderError.
-    AoStatus advance(const RestingView& view, FoundPixels& found, double milliseconds) override;
+    Result<int> step(const StaticView& view, RefinedPixels& pixels, int most) override;
+    void await(const StaticView& view, double /*milliseconds*/) override {
+        view.context.gl.Finish();
+    }
     bool done() const override { return stage_ == Stage::Done; }
     std::size_t bytes() const override;
 
@@ -44,14 +48,12 @@ private:
         int slices = 0;                ///< that the next one has had
     };
 
-    WorkUnit next() const;
-    /// Does units of the next kind, `most` at most. @return how many.
-    Result<int> step(const RestingView& view, FoundPixels& found, int most);
-    AoStatus begin(const RestingView& view);
-    AoStatus makeTargets(const RestingView& view, FoundPixels& found);
-    int computeTile(const RestingView& view, FoundPixels& found, int most);
-    void accumulate(const RestingView& view, const glm::ivec2& tile, int first, int count);
-    void keep(const RestingView& view, const FoundPixels& found, const glm::ivec2& tile);
+    Result<int> stepStage(const StaticView& view, RefinedPixels& pixels, int most);
+    AoStatus begin(const StaticView& view);
+    AoStatus makeTargets(const StaticView& view, RefinedPixels& pixels);
+    int computeTile(const StaticView& view, RefinedPixels& pixels, int most);
+    void accumulate(const StaticView& view, const glm::ivec2& tile, int first, int count);
+    void keep(const StaticView& view, const RefinedPixels& pixels, const glm::ivec2& tile);
 
     Shared& shared_;
     const SceneGeometry& geometry_;

@@ -1,4 +1,4 @@
-#include "backbone/cubemapped/ViewRepair.h"
+#include "backbone/cubemapped/StaticViewRefiner.h"
 
 #include <cmath>
 #include <utility>
@@ -40,9 +40,31 @@ Rectangle pixelsOf(const Bounds& box, const HostCamera& camera, const glm::ivec2
     return {glm::ivec2(glm::floor(toPixel(low))), glm::ivec2(glm::ceil(toPixel(high)))};
 }
 
+/// A refiner's work on a view.
+class RefineJob final : public AbstractJob {
+public:
+    RefineJob(AbstractPixelRefiner& refiner, const StaticView& view, RefinedPixels& pixels)
+        : refiner_(refiner), view_(view), pixels_(pixels) {}
+
+    std::optional<WorkUnit> next() override { return refiner_.next(); }
+    bool isReady() override { return refiner_.isReady(); }
+    Result<int> step(int most) override { return refiner_.step(view_, pixels_, most); }
+    void await(double milliseconds) override { refiner_.await(view_, milliseconds); }
+
+private:
+    AbstractPixelRefiner& refiner_;
+    const StaticView& view_;
+    RefinedPixels& pixels_;
+};
+
 } // namespace
 
-void ViewRepair::follow(const Frame& frame, PixelSources::Kind kind, const Make& make) {
+AoStatus StaticViewRefiner::advance(const StaticView& view, FrameBudget* budget) {
+    RefineJob job(*refiner_, view, pixels_);
+    return budget == nullptr ? runToEnd(job) : runWithinBudget(*budget, job).status();
+}
+
+void StaticViewRefiner::beginFrame(const Frame& frame, RefinerKind kind, const Make& make) {
     const Sight sight{frame.camera, frame.size, frame.clip};
     if (sight_ == sight && kind_ == kind) {
         ++framesAtRest_;
@@ -50,45 +72,47 @@ void ViewRepair::follow(const Frame& frame, PixelSources::Kind kind, const Make&
     }
     restart();
     if (kind_ != kind) {
-        source_ = kind == PixelSources::Kind::None ? nullptr : make();
+        refiner_ = kind == RefinerKind::None ? nullptr : make();
         kind_ = kind;
     }
     sight_ = sight;
     framesAtRest_ = 0;
 }
 
-void ViewRepair::dropSource() {
+void StaticViewRefiner::dropRefiner() {
     restart();
-    source_.reset();
-    kind_ = PixelSources::Kind::None;
+    refiner_.reset();
+    kind_ = RefinerKind::None;
 }
 
-void ViewRepair::restart() {
-    found_.drop();
-    if (source_ != nullptr) {
-        source_->restart();
+void StaticViewRefiner::restart() {
+    pixels_.drop();
+    if (refiner_ != nullptr) {
+        refiner_->restart();
     }
 }
 
-void ViewRepair::sceneChanged(const std::vector<Scene::Change>& changes, float reach, bool texels) {
+void StaticViewRefiner::sceneChanged(const std::vector<Scene::Change>& changes, float reach,
+                                     bool texels) {
     bool altered = false;
     for (const Scene::Change& change : changes) {
         const Bounds within = change.region.inflated(reach);
-        if (sight_ && source_ != nullptr && !within.empty() && source_->isAltered(within, texels)) {
+        if (sight_ && refiner_ != nullptr && !within.empty() &&
+            refiner_->isAltered(within, texels)) {
             const Rectangle pixels =
                 pixelsOf(within, sight_->camera, sight_->size, sight_->clip.upperLeft);
-            found_.drop(pixels.low, pixels.high - pixels.low);
+            pixels_.drop(pixels.low, pixels.high - pixels.low);
             altered = true;
         }
     }
     if (altered) {
-        source_->restart();
+        refiner_->restart();
     }
 }
 
-void ViewRepair::lookAgain() {
-    if (source_ != nullptr) {
-        source_->lookAgain();
+void StaticViewRefiner::invalidate() {
+    if (refiner_ != nullptr) {
+        refiner_->invalidate();
     }
 }
 

@@ -1,4 +1,4 @@
-#include "backbone/cubemapped/TileProgress.h"
+#include "backbone/cubemapped/TileTable.h"
 
 #include <algorithm>
 #include <limits>
@@ -15,26 +15,26 @@ constexpr float kNear = 8.0F;
 
 } // namespace
 
-TileProgress::TileProgress(int faceSize)
+TileTable::TileTable(int faceSize)
     : faceSize_(faceSize), perEdge_((faceSize + kTile - 1) / kTile),
       tiles_(static_cast<std::size_t>(kFaces * perEdge_ * perEdge_)) {}
 
-TileProgress::Region TileProgress::region(int tile) const {
+TileTable::Region TileTable::region(int tile) const {
     const int perFace = perEdge_ * perEdge_;
     const int x = tile % perFace % perEdge_ * kTile;
     const int y = tile % perFace / perEdge_ * kTile;
     return {tile / perFace, x, y, std::min(kTile, faceSize_ - x), std::min(kTile, faceSize_ - y)};
 }
 
-int TileProgress::along(float texel) const {
+int TileTable::along(float texel) const {
     return std::clamp(static_cast<int>(texel) / kTile, 0, perEdge_ - 1);
 }
 
-int TileProgress::tileAt(int face, const glm::vec2& at) const {
+int TileTable::tileAt(int face, const glm::vec2& at) const {
     return (face * perEdge_ + along(at.y)) * perEdge_ + along(at.x);
 }
 
-std::vector<int> TileProgress::within(int face, const glm::vec2& low, const glm::vec2& high) const {
+std::vector<int> TileTable::within(int face, const glm::vec2& low, const glm::vec2& high) const {
     const auto size = static_cast<float>(faceSize_);
     std::vector<int> found;
     if (low.x > size || low.y > size || high.x < 0.0F || high.y < 0.0F) {
@@ -50,9 +50,9 @@ std::vector<int> TileProgress::within(int face, const glm::vec2& low, const glm:
     return found;
 }
 
-void TileProgress::ask(int face, const glm::vec2& at, int perBlock, AskedTiles* by) {
-    if (by != nullptr) {
-        by->resize(tiles_.size());
+void TileTable::request(int face, const glm::vec2& at, int passesPerPage, TileSet* requested) {
+    if (requested != nullptr) {
+        requested->resize(tiles_.size());
     }
     const int lastColumn = along(at.x + kNear);
     const int lastRow = along(at.y + kNear);
@@ -62,139 +62,148 @@ void TileProgress::ask(int face, const glm::vec2& at, int perBlock, AskedTiles* 
             const auto number =
                 static_cast<std::size_t>((face * perEdge_ + row) * perEdge_ + column);
             Tile& tile = tiles_[number];
-            tile.asked = true;
-            if (by != nullptr) {
-                (*by)[number] = true;
+            tile.requested = true;
+            if (requested != nullptr) {
+                (*requested)[number] = true;
             }
-            if (perBlock > 0 && tile.blockPasses >= perBlock * tile.blocksAsked) {
-                tile.blocksAsked = static_cast<std::uint8_t>(std::min(tile.blocksAsked + 1, 255));
+            if (passesPerPage > 0 && tile.pagePasses >= passesPerPage * tile.pagesRequested) {
+                tile.pagesRequested =
+                    static_cast<std::uint8_t>(std::min(tile.pagesRequested + 1, 255));
             }
         }
     }
 }
 
-void TileProgress::setBlockPasses(int tile, int passes) {
-    tiles_[static_cast<std::size_t>(tile)].blockPasses = static_cast<std::uint16_t>(passes);
+void TileTable::setPagePasses(int tile, int passes) {
+    entry(tile).pagePasses = static_cast<std::uint16_t>(passes);
 }
 
-bool TileProgress::lacksBlocks(int perBlock) const {
+bool TileTable::hasPendingPages(int passesPerPage) const {
     return std::any_of(tiles_.begin(), tiles_.end(), [&](const Tile& tile) {
-        return tile.blockPasses < perBlock * tile.blocksNeeded();
+        return tile.pagePasses < passesPerPage * tile.pagesNeeded();
     });
 }
 
-bool TileProgress::refusedBlock() const {
-    return std::any_of(tiles_.begin(), tiles_.end(), [](const Tile& tile) { return tile.refused; });
+bool TileTable::hasDeniedPages() const {
+    return std::any_of(tiles_.begin(), tiles_.end(), [](const Tile& tile) { return tile.denied; });
 }
 
-void TileProgress::allowBlocks() {
+void TileTable::clearDeniedPages() {
     for (Tile& tile : tiles_) {
-        tile.refused = false;
+        tile.denied = false;
     }
 }
 
-TileProgress::Share TileProgress::share(int passes, int blockWeight) const {
+TileTable::Share TileTable::share(int passes, int pageWeight) const {
     Share share;
     for (const Tile& tile : tiles_) {
-        if (tile.asked) {
+        if (tile.requested) {
             share.done += tile.passes;
             share.needed += passes;
         }
-        const std::int64_t blocks = std::int64_t{blockWeight} * tile.blocksNeeded();
-        share.needed += blocks * passes;
-        share.done += std::min(std::int64_t{blockWeight} * tile.blockPasses, blocks * passes);
+        const std::int64_t pages = std::int64_t{pageWeight} * tile.pagesNeeded();
+        share.needed += pages * passes;
+        share.done += std::min(std::int64_t{pageWeight} * tile.pagePasses, pages * passes);
     }
     return share;
 }
 
-void TileProgress::askAll() {
+void TileTable::requestAll() {
     for (Tile& tile : tiles_) {
-        tile.asked = true;
+        tile.requested = true;
     }
 }
 
-void TileProgress::setPasses(int tile, int passes) {
-    tiles_[static_cast<std::size_t>(tile)].passes = static_cast<std::uint16_t>(passes);
+void TileTable::setPasses(int tile, int passes) {
+    entry(tile).passes = static_cast<std::uint16_t>(passes);
     if (passes > 0) {
         setKnown(tile);
     }
 }
 
-void TileProgress::setKnown(int tile) {
-    Tile& of = tiles_[static_cast<std::size_t>(tile)];
+void TileTable::setKnown(int tile) {
+    Tile& of = entry(tile);
     if (!of.known) {
-        of.begunIn = frame_;
+        of.knownSince = frame_;
     }
     of.known = true;
 }
 
-bool TileProgress::allKnown() const {
-    const auto asked = [](const Tile& tile) { return tile.asked; };
-    return std::ranges::any_of(tiles_, asked) &&
-           std::ranges::none_of(tiles_, [](const Tile& tile) { return tile.asked && !tile.known; });
+bool TileTable::allKnown() const {
+    const auto requested = [](const Tile& tile) { return tile.requested; };
+    return std::ranges::any_of(tiles_, requested) &&
+           std::ranges::none_of(tiles_,
+                                [](const Tile& tile) { return tile.requested && !tile.known; });
 }
 
-int TileProgress::fewestPasses() const {
+int TileTable::fewestPasses() const {
     int fewest = std::numeric_limits<int>::max();
     for (const Tile& tile : tiles_) {
-        if (tile.asked) {
+        if (tile.requested) {
             fewest = std::min(fewest, static_cast<int>(tile.passes));
         }
     }
     return fewest == std::numeric_limits<int>::max() ? -1 : fewest;
 }
 
-bool TileProgress::lacks(int passes) const {
+bool TileTable::hasPending(int passes) const {
     const int fewest = fewestPasses();
     return fewest >= 0 && fewest < passes;
 }
 
-bool TileProgress::lacksUndisturbed(int passes) const {
+bool TileTable::hasPendingUndisturbed(int passes) const {
     return std::ranges::any_of(tiles_, [&](const Tile& tile) {
-        return tile.asked && !tile.disturbed && tile.passes < passes;
+        return tile.requested && !tile.disturbed && tile.passes < passes;
     });
 }
 
-bool TileProgress::lacksAny(const AskedTiles& tiles, int passes) const {
+bool TileTable::hasPendingIn(const TileSet& tiles, int passes) const {
     for (std::size_t i = 0; i < std::min(tiles.size(), tiles_.size()); ++i) {
         const Tile& tile = tiles_[i];
-        if (tiles[i] && (tile.passes < passes || tile.blockPasses < passes * tile.blocksNeeded())) {
+        if (tiles[i] && (tile.passes < passes || tile.pagePasses < passes * tile.pagesNeeded())) {
             return true;
         }
     }
     return false;
 }
 
-std::vector<int> TileProgress::mostUrgent(int most) const {
+std::vector<int> TileTable::mostUrgent(int most) const {
     const int fewest = fewestPasses();
     std::vector<int> urgent;
     for (int tile = 0; fewest < most && tile < count(); ++tile) {
-        if (asked(tile) && passes(tile) == fewest) {
+        if (isRequested(tile) && passes(tile) == fewest) {
             urgent.push_back(tile);
         }
     }
     return urgent;
 }
 
-void TileProgress::setAllOutdated() {
+void TileTable::setOutdated(int tile) {
+    outdated_ += entry(tile).outdated ? 0 : 1;
+    entry(tile).outdated = true;
+}
+
+void TileTable::setAllOutdated() {
     for (Tile& tile : tiles_) {
         tile.outdated = true;
     }
+    outdated_ = count();
 }
 
-void TileProgress::restart(int tile) {
-    Tile& of = tiles_[static_cast<std::size_t>(tile)];
+void TileTable::restart(int tile) {
+    Tile& of = entry(tile);
+    outdated_ -= of.outdated ? 1 : 0;
     of.outdated = false;
     of.disturbed = of.known;
     of.passes = 0;
-    of.offered = 0;
-    of.refused = false;
-    of.blockPasses = 0;
+    of.available = 0;
+    of.denied = false;
+    of.pagePasses = 0;
 }
 
-void TileProgress::forget() {
+void TileTable::forget() {
     for (int tile = 0; tile < count(); ++tile) {
-        tiles_[static_cast<std::size_t>(tile)].known = false;
+        entry(tile).known = false;
         restart(tile);
     }
 }

@@ -1,4 +1,4 @@
-#include "backbone/cubemapped/Survey.h"
+#include "backbone/cubemapped/FeedbackPass.h"
 
 #include <algorithm>
 #include <bit>
@@ -22,8 +22,8 @@ std::size_t cubeMapOf(float footprint) {
 
 } // namespace
 
-Result<Survey> Survey::create(const BackboneContext& context) {
-    auto shader = buildShader(context.gl, "fullscreen.vert", "cubemap/survey.frag", {"AO_BLOCKS"});
+Result<FeedbackPass> FeedbackPass::create(const BackboneContext& context) {
+    auto shader = buildShader(context.gl, "fullscreen.vert", "cubemap/survey.frag", {"AO_PAGES"});
     if (!shader) {
         return shader.status();
     }
@@ -35,15 +35,15 @@ Result<Survey> Survey::create(const BackboneContext& context) {
     if (!target) {
         return target.status();
     }
-    Survey survey;
+    FeedbackPass survey;
     survey.shader_ = std::move(*shader);
     survey.target_ = std::move(*target);
     return survey;
 }
 
-AoStatus Survey::makeReadbacks(const BackboneContext& context, PendingSurveys& of) const {
-    std::vector<PendingSurveys::Request> requests(kMost);
-    for (PendingSurveys::Request& request : requests) {
+AoStatus FeedbackPass::makeReadbacks(const BackboneContext& context, PendingFeedback& of) const {
+    std::vector<PendingFeedback::Request> requests(kMost);
+    for (PendingFeedback::Request& request : requests) {
         auto readback =
             gl::PixelReadback::create(context.gl, target_.bytes(), "aolib/survey/readback");
         if (!readback) {
@@ -55,15 +55,15 @@ AoStatus Survey::makeReadbacks(const BackboneContext& context, PendingSurveys& o
     return {};
 }
 
-AoStatus Survey::take(const FrameContext& context, const ProjectedCubeMaps& cubeMaps,
-                      std::uint64_t frameNumber, PendingSurveys& into) {
+AoStatus FeedbackPass::take(const FrameContext& context, const ProjectedCubeMaps& cubeMaps,
+                            std::uint64_t frameNumber, PendingFeedback& into) {
     const gl::DebugGroup group(context.gl, "aolib: survey");
     if (into.requests_.empty()) {
         if (AoStatus status = makeReadbacks(context, into); !status) {
             return status;
         }
     }
-    for (PendingSurveys::Request& request : into.requests_) {
+    for (PendingFeedback::Request& request : into.requests_) {
         if (request.readback.pending()) {
             continue;
         }
@@ -84,16 +84,16 @@ AoStatus Survey::take(const FrameContext& context, const ProjectedCubeMaps& cube
     return {};
 }
 
-SurveyAnswer PendingSurveys::evaluate(const Request& request,
-                                      std::span<const std::uint8_t> pixels) {
-    SurveyAnswer answer{.frame = request.frame,
-                        .eye = request.eye,
-                        .points = {},
-                        .shades = {},
-                        .footprints = {},
-                        .hiddenFrom = {},
-                        .best = {},
-                        .projected = request.cubeMaps};
+FeedbackResult PendingFeedback::evaluate(const Request& request,
+                                         std::span<const std::uint8_t> pixels) {
+    FeedbackResult answer{.frame = request.frame,
+                          .eye = request.eye,
+                          .points = {},
+                          .shades = {},
+                          .footprints = {},
+                          .hiddenFrom = {},
+                          .best = {},
+                          .projected = request.cubeMaps};
     std::vector<std::size_t> shadedBy(request.cubeMaps.size() + 1, 0);
     std::size_t shaded = 0;
     answer.points.reserve(pixels.size() / sizeof(glm::vec4));
@@ -129,8 +129,8 @@ SurveyAnswer PendingSurveys::evaluate(const Request& request,
     return answer;
 }
 
-std::optional<SurveyAnswer> PendingSurveys::poll() {
-    std::optional<SurveyAnswer> newest;
+std::optional<FeedbackResult> PendingFeedback::poll() {
+    std::optional<FeedbackResult> newest;
     for (Request& request : requests_) {
         request.readback.poll([&](std::span<const std::uint8_t> pixels) {
             if (!newest || request.frame > newest->frame) {
@@ -141,7 +141,7 @@ std::optional<SurveyAnswer> PendingSurveys::poll() {
     return newest;
 }
 
-void PendingSurveys::restart() {
+void PendingFeedback::restart() {
     for (Request& request : requests_) {
         request.readback.cancel();
     }

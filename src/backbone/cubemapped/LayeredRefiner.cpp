@@ -1,8 +1,7 @@
-#include "backbone/cubemapped/LayeredPixels.h"
+#include "backbone/cubemapped/LayeredRefiner.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <utility>
 
@@ -62,7 +61,7 @@ std::vector<glm::ivec2> tilesOf(const glm::ivec2& size) {
 
 } // namespace
 
-Result<LayeredPixels::Shared> LayeredPixels::createShared(const BackboneContext& context) {
+Result<LayeredRefiner::Shared> LayeredRefiner::createShared(const BackboneContext& context) {
     auto visibility = buildShader(context.gl, "fullscreen.vert", "cubemap/pixels_layered.frag");
     if (!visibility) {
         return visibility.status();
@@ -71,69 +70,52 @@ Result<LayeredPixels::Shared> LayeredPixels::createShared(const BackboneContext&
     if (!keep) {
         return keep.status();
     }
-    auto budget = FrameBudget::create(context.gl);
-    if (!budget) {
-        return budget.status();
-    }
-    return Shared{std::move(*visibility), std::move(*keep), std::move(*budget)};
+    return Shared{std::move(*visibility), std::move(*keep)};
 }
 
-void LayeredPixels::restart() {
+void LayeredRefiner::restart() {
     stage_ = Stage::Begin;
     work_.reset();
 }
 
-std::size_t LayeredPixels::bytes() const {
+std::size_t LayeredRefiner::bytes() const {
     return work_ ? work_->around.capture->bytes() + work_->sums.bytes() : 0;
 }
 
-// ---- Within a budget ----------------------------------------------------------------------------
+// ---- Units of work ------------------------------------------------------------------------------
 
-AoStatus LayeredPixels::advance(const RestingView& view, FoundPixels& found, double milliseconds) {
-    const bool toTheEnd = std::isinf(milliseconds);
-    if (stage_ == Stage::Begin) {
-        if (AoStatus status = begin(view); !status) {
-            return status;
-        }
-    }
-    if (!toTheEnd && stage_ != Stage::Done) {
-        shared_.budget.beginFrame(milliseconds);
-    }
-    while (stage_ != Stage::Done) {
-        const WorkUnit unit = next();
-        const int most = toTheEnd ? kMostSlices : shared_.budget.room(unit);
-        if (most == 0 ||
-            (!toTheEnd && stage_ == Stage::Capture && work_->around.capture->waits())) {
-            break;
-        }
-        if (!toTheEnd) {
-            shared_.budget.start(unit);
-        }
-        const auto did = step(view, found, most);
-        if (!did) {
-            restart();
-            return did.status();
-        }
-        if (!toTheEnd) {
-            shared_.budget.done(*did);
-        }
-    }
-    return {};
-}
-
-WorkUnit LayeredPixels::next() const {
+std::optional<WorkUnit> LayeredRefiner::next() {
     switch (stage_) {
     case Stage::Capture:
         return work_->around.capture->next();
     case Stage::Tiles:
-        return WorkUnit::Texels;
+        return WorkUnit::Pixels;
+    case Stage::Done:
+        return std::nullopt;
     default:
         return WorkUnit::Prepare;
     }
 }
 
-Result<int> LayeredPixels::step(const RestingView& view, FoundPixels& found, int most) {
+bool LayeredRefiner::isReady() {
+    return stage_ != Stage::Capture || !work_->around.capture->waits();
+}
+
+Result<int> LayeredRefiner::step(const StaticView& view, RefinedPixels& pixels, int most) {
     const gl::DebugGroup group(view.context.gl, "aolib: pixels of a view at rest");
+    if (stage_ == Stage::Begin) {
+        if (AoStatus status = begin(view); !status) {
+            return status;
+        }
+    }
+    const auto done = stepStage(view, pixels, most);
+    if (!done) {
+        restart();
+    }
+    return done;
+}
+
+Result<int> LayeredRefiner::stepStage(const StaticView& view, RefinedPixels& pixels, int most) {
     AoStatus status;
     switch (stage_) {
     case Stage::Capture:
@@ -141,11 +123,11 @@ Result<int> LayeredPixels::step(const RestingView& view, FoundPixels& found, int
         stage_ = work_->around.capture->complete() ? Stage::Targets : stage_;
         break;
     case Stage::Targets:
-        status = makeTargets(view, found);
+        status = makeTargets(view, pixels);
         stage_ = Stage::Tiles;
         break;
     case Stage::Tiles:
-        return computeTile(view, found, most);
+        return computeTile(view, pixels, most);
     default:
         break;
     }
@@ -157,7 +139,7 @@ Result<int> LayeredPixels::step(const RestingView& view, FoundPixels& found, int
 
 // ---- What pixels see ----------------------------------------------------------------------------
 
-AoStatus LayeredPixels::begin(const RestingView& view) {
+AoStatus LayeredRefiner::begin(const StaticView& view) {
     const std::int64_t pixels = std::int64_t{view.context.frame.size.x} * view.context.frame.size.y;
     if (view.context.frame.camera.orthographic() ||
         pixels > kMostPixels) { // rays that are parallel have no centre
@@ -177,18 +159,18 @@ AoStatus LayeredPixels::begin(const RestingView& view) {
     return {};
 }
 
-AoStatus LayeredPixels::makeTargets(const RestingView& view, FoundPixels& found) {
+AoStatus LayeredRefiner::makeTargets(const StaticView& view, RefinedPixels& pixels) {
     const gl::Functions& gl = view.context.gl;
     const glm::ivec2& size = view.context.frame.size;
-    found.count = 0;
-    if (AoStatus status = found.makeRoom(gl, size); !status) {
+    pixels.count = 0;
+    if (AoStatus status = pixels.makeRoom(gl, size); !status) {
         return status;
     }
     auto sums =
         gl::RenderToTexture2D::create(gl, {.width = size.x,
                                            .height = size.y,
                                            .targets = {gl::RenderToTexture2D::Format::RG32F},
-                                           .label = "aolib/repair/sums"});
+                                           .label = "aolib/refiner/sums"});
     if (sums) {
         constexpr std::array<GLfloat, 4> kNoWeight{};
         work_->sums = std::move(*sums);
@@ -200,16 +182,16 @@ AoStatus LayeredPixels::makeTargets(const RestingView& view, FoundPixels& found)
 
 // ---- Pixels -------------------------------------------------------------------------------------
 
-int LayeredPixels::computeTile(const RestingView& view, FoundPixels& found, int most) {
+int LayeredRefiner::computeTile(const StaticView& view, RefinedPixels& pixels, int most) {
     const int slices = ofPixels(view.context.options).layeredIntervals.slices;
     const glm::ivec2 tile = work_->tiles.back();
     const int count = std::min(most, slices - work_->slices);
     accumulate(view, tile, work_->slices, count);
     work_->slices += count;
     if (work_->slices == slices) {
-        keep(view, found, tile);
+        keep(view, pixels, tile);
         const glm::ivec2 extent = glm::min(kPixelTile, view.context.frame.size - tile);
-        found.count += static_cast<std::size_t>(extent.x) * static_cast<std::size_t>(extent.y);
+        pixels.count += static_cast<std::size_t>(extent.x) * static_cast<std::size_t>(extent.y);
         work_->slices = 0;
         work_->tiles.pop_back();
     }
@@ -220,8 +202,8 @@ int LayeredPixels::computeTile(const RestingView& view, FoundPixels& found, int 
     return count;
 }
 
-void LayeredPixels::accumulate(const RestingView& view, const glm::ivec2& tile, int first,
-                               int count) {
+void LayeredRefiner::accumulate(const StaticView& view, const glm::ivec2& tile, int first,
+                                int count) {
     const FrameContext& context = view.context;
     const gl::Functions& gl = context.gl;
     const glm::ivec2 extent = glm::min(kPixelTile, view.context.frame.size - tile);
@@ -241,10 +223,10 @@ void LayeredPixels::accumulate(const RestingView& view, const glm::ivec2& tile, 
     gl::endBlending(gl);
 }
 
-void LayeredPixels::keep(const RestingView& view, const FoundPixels& found,
-                         const glm::ivec2& tile) {
+void LayeredRefiner::keep(const StaticView& view, const RefinedPixels& pixels,
+                          const glm::ivec2& tile) {
     const glm::ivec2 extent = glm::min(kPixelTile, view.context.frame.size - tile);
-    found.texture()->begin(0);
+    pixels.texture()->begin(0);
     gl::setViewport(view.context.gl, tile.x, tile.y, extent.x, extent.y);
     shared_.keep.bind();
     work_->sums.bindTexture(0, kSumsUnit);

@@ -7,7 +7,7 @@
 
 #include "EffectiveOptions.h"
 #include "HostView.h"
-#include "backbone/cubemapped/BackboneCubemapped.h"
+#include "backbone/BackboneCubemapped.h"
 #include "gl/ContextGroup.h"
 #include "gl/StateGuard.h"
 #include "scene/SceneBuilder.h"

@@ -6,7 +6,7 @@
 
 #include <aolib/OptionFields.h>
 
-#include "backbone/cubemapped/Eviction.h"
+#include "backbone/cubemaps/Eviction.h"
 
 namespace aolib {
 

@@ -1,6 +1,6 @@
 #include "EffectiveOptions.h"
 
-#include "backbone/Estimators.h"
+#include "backbone/estimators/Estimators.h"
 
 namespace aolib {
 

@@ -5,8 +5,8 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
-#include "backbone/Frame.h"
-#include "backbone/HostCamera.h"
+#include "backbone/frame/Frame.h"
+#include "backbone/frame/HostCamera.h"
 #include "gl/Functions.h"
 #include "gl/StateGuard.h"
 

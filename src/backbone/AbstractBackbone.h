@@ -7,10 +7,10 @@
 #include <aolib/Statistics.h>
 #include <aolib/Status.h>
 
-#include "backbone/Blur.h"
-#include "backbone/Composite.h"
-#include "backbone/GeometryBuffer.h"
 #include "backbone/ViewTable.h"
+#include "backbone/passes/Blur.h"
+#include "backbone/passes/Composite.h"
+#include "backbone/passes/GeometryBuffer.h"
 #include "gl/GpuTimer.h"
 
 namespace aolib {

@@ -1,7 +1,7 @@
 #include "backbone/MakeBackbone.h"
 
-#include "backbone/cubemapped/BackboneCubemapped.h"
-#include "backbone/screenspace/BackboneScreenSpace.h"
+#include "backbone/BackboneCubemapped.h"
+#include "backbone/BackboneScreenSpace.h"
 
 namespace aolib {
 

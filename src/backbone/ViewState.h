@@ -4,21 +4,13 @@
 #include <cstdint>
 #include <optional>
 
-#include "backbone/AppliedTextures.h"
-#include "backbone/Blur.h"
-#include "backbone/Frame.h"
-#include "backbone/GeometryBuffer.h"
+#include "backbone/frame/AppliedTextures.h"
+#include "backbone/frame/Frame.h"
+#include "backbone/frame/Viewpoint.h"
+#include "backbone/passes/Blur.h"
+#include "backbone/passes/GeometryBuffer.h"
 
 namespace aolib {
-
-/// What is seen through and how large: two frames of it show the same, if the scene is the same.
-struct Sight {
-    HostCamera camera;
-    glm::ivec2 size;
-    ClipConvention clip;
-
-    bool operator==(const Sight&) const = default;
-};
 
 /// What belongs to one view of the host's: the copy of its depth, the pictures of its size. Every
 /// strategy derives its own from this.
@@ -36,8 +28,8 @@ struct ViewState {
     virtual bool converged() const { return true; }
 
     ViewId id{};
-    std::optional<Sight> sight; ///< of the latest frame
-    std::uint64_t drawn = 0;    ///< number of the latest frame, of all views' frames
+    std::optional<Viewpoint> viewpoint; ///< of the latest frame
+    std::uint64_t drawn = 0;            ///< number of the latest frame, of all views' frames
 
     HostFramebuffer host;
     GeometryBuffer geometry; ///< of frames that are not shaded directly

@@ -16,14 +16,14 @@ bool drawnBefore(const std::unique_ptr<ViewState>& a, const std::unique_ptr<View
 
 } // namespace
 
-ViewState& ViewTable::begin(ViewId id, const Sight& sight) {
+ViewState& ViewTable::begin(ViewId id, const Viewpoint& viewpoint) {
     ++frames_;
-    ViewState& state = choose(id, sight);
-    state.sight = sight;
-    std::deque<Sight>& sights = histories_[id].sights;
-    sights.push_back(sight);
-    if (sights.size() > kMostPerId) {
-        sights.pop_front();
+    ViewState& state = choose(id, viewpoint);
+    state.viewpoint = viewpoint;
+    std::deque<Viewpoint>& viewpoints = histories_[id].viewpoints;
+    viewpoints.push_back(viewpoint);
+    if (viewpoints.size() > kMostPerId) {
+        viewpoints.pop_front();
     }
     state.drawn = frames_;
     current_ = &state;
@@ -31,9 +31,9 @@ ViewState& ViewTable::begin(ViewId id, const Sight& sight) {
     return state;
 }
 
-ViewState& ViewTable::choose(ViewId id, const Sight& sight) {
+ViewState& ViewTable::choose(ViewId id, const Viewpoint& viewpoint) {
     const auto same = std::ranges::find_if(
-        states_, [&](const auto& one) { return one->id == id && one->sight == sight; });
+        states_, [&](const auto& one) { return one->id == id && one->viewpoint == viewpoint; });
     if (same != states_.end()) {
         return **same;
     }
@@ -41,7 +41,7 @@ ViewState& ViewTable::choose(ViewId id, const Sight& sight) {
     if (latest == nullptr) {
         return add(id);
     }
-    if (!takesTurns(id, sight, *latest->sight)) {
+    if (!takesTurns(id, viewpoint, *latest->viewpoint)) {
         return *latest; // its camera has moved
     }
     if (ViewState* idle = idleOf(id)) {
@@ -52,14 +52,14 @@ ViewState& ViewTable::choose(ViewId id, const Sight& sight) {
     return static_cast<std::size_t>(ofId) < kMostPerId ? add(id) : *latest;
 }
 
-bool ViewTable::takesTurns(ViewId id, const Sight& sight, const Sight& latest) {
+bool ViewTable::takesTurns(ViewId id, const Viewpoint& viewpoint, const Viewpoint& latest) {
     // A camera that only jitters within its pixels is one view.
-    const bool elsewhere = sight.camera.eye() != latest.camera.eye() ||
-                           sight.camera.eyeToWorld() != latest.camera.eyeToWorld() ||
-                           sight.size != latest.size;
+    const bool elsewhere = viewpoint.camera.eye() != latest.camera.eye() ||
+                           viewpoint.camera.eyeToWorld() != latest.camera.eyeToWorld() ||
+                           viewpoint.size != latest.size;
     History& history = histories_[id];
-    const auto before = std::ranges::find(history.sights, sight);
-    history.returns = elsewhere && before != history.sights.end() ? history.returns + 1 : 0;
+    const auto before = std::ranges::find(history.viewpoints, viewpoint);
+    history.returns = elsewhere && before != history.viewpoints.end() ? history.returns + 1 : 0;
     return history.returns >= kTurns;
 }
 

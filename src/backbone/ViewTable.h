@@ -39,7 +39,7 @@ public:
     explicit ViewTable(Make make) : make_(std::move(make)) {}
 
     /// The view that a frame belongs to; it is the current one from now on. Gives up idle ones.
-    ViewState& begin(ViewId id, const Sight& sight);
+    ViewState& begin(ViewId id, const Viewpoint& viewpoint);
     void remove(ViewId id);
 
     /// The view of the latest frame; null before the first, or when it was removed.
@@ -67,13 +67,13 @@ public:
 private:
     /// The frames of an id.
     struct History {
-        std::deque<Sight> sights; ///< of late, the latest last
-        int returns = 0;          ///< frames in a row that showed one of these
+        std::deque<Viewpoint> viewpoints; ///< of late, the latest last
+        int returns = 0;                  ///< frames in a row that showed one of these
     };
 
-    ViewState& choose(ViewId id, const Sight& sight);
-    /// Whether a sight is one of several that take turns. @param latest  of the view drawn last
-    bool takesTurns(ViewId id, const Sight& sight, const Sight& latest);
+    ViewState& choose(ViewId id, const Viewpoint& viewpoint);
+    /// Whether a viewpoint is one of several that take turns. @param latest  of the view drawn last
+    bool takesTurns(ViewId id, const Viewpoint& viewpoint, const Viewpoint& latest);
     ViewState* idleOf(ViewId id) const;
     ViewState& add(ViewId id);
     void giveUpIdle();

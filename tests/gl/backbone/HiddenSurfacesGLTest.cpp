@@ -60,7 +60,7 @@ TEST_P(HiddenSurfacesGLTest, AreTheSameInOnePassAndInMany) {
 
 TEST_P(HiddenSurfacesGLTest, FollowWhatMovesOutOfSight) {
     Options o = options();
-    o.radius = 0.4F; // so that what is about the box is out of sight, too
+    o.radius = 0.4F; // so that what is about the box is out of viewpoint, too
     Model box;
     addBox(box, {-0.3F, 0, -0.3F}, {0.1F, 0.3F, 0.1F}); // between the walls
     const ModelMesh& mesh = box.meshes.front();

@@ -6,7 +6,7 @@
 
 #include "GlObjects.h"
 #include "SmallScene.h"
-#include "backbone/cubemapped/TileTable.h"
+#include "backbone/cubemaps/TileTable.h"
 
 namespace aolib {
 namespace {

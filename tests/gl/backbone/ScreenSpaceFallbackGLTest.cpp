@@ -1,4 +1,4 @@
-// What no cube map knows is shaded by what is in sight.
+// What no cube map knows is shaded by what is in viewpoint.
 #include "ProgressiveTest.h"
 #include "WatchedLoader.h"
 

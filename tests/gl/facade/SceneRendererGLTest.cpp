@@ -152,7 +152,7 @@ TEST_P(SceneRendererGLTest, ChangesAreDrawnAgainWhereTheyAreSeen) {
     EXPECT_EQ(drawn.faces, 2 * first) << "drawn again";
     ASSERT_TRUE(drawn->ao().aoSceneChanged({2, -9, 2}, {3, -8, 3}).ok());
     ASSERT_TRUE(drawn->frame().ok());
-    EXPECT_EQ(drawn.faces, 2 * first) << "below the floor: out of sight";
+    EXPECT_EQ(drawn.faces, 2 * first) << "below the floor: out of viewpoint";
     ASSERT_TRUE(drawn->ao().setSceneRenderer({}, kMin, kMax).ok());
     ASSERT_TRUE(drawn->frame().ok());
     EXPECT_EQ(drawn.faces, 2 * first) << "taken away";

@@ -1,7 +1,7 @@
 #include "gl/GLSLShader.h"
 
 #include "GLTest.h"
-#include "backbone/ShaderLibrary.h"
+#include "backbone/frame/ShaderLibrary.h"
 #include "gl/VertexArray.h"
 
 namespace aolib::gl {

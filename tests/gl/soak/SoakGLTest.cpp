@@ -15,7 +15,7 @@
 #include "GlObjects.h"
 #include "Rooms.h"
 #include "SmallScene.h"
-#include "backbone/cubemapped/FaceStore.h"
+#include "backbone/cubemaps/FaceStore.h"
 
 namespace aolib {
 namespace {

@@ -11,7 +11,7 @@ namespace {
 
 using CubeMaps = std::map<CubeMapId, std::vector<float>>;
 
-/// Faults that a call may get overwithout telling: the sight test then says "seen".
+/// Faults that a call may get overwithout telling: the viewpoint test then says "seen".
 bool mayPass(Fault fault) {
     switch (fault) {
     case Fault::GenTextures:

@@ -1,4 +1,4 @@
-#include "backbone/cubemapped/Eviction.h"
+#include "backbone/cubemaps/Eviction.h"
 
 #include <vector>
 

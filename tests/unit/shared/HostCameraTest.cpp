@@ -1,4 +1,4 @@
-#include "backbone/HostCamera.h"
+#include "backbone/frame/HostCamera.h"
 
 #include <cmath>
 #include <limits>

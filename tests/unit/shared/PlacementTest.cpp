@@ -1,4 +1,4 @@
-#include "backbone/cubemapped/Placement.h"
+#include "backbone/cubemaps/Placement.h"
 
 #include <array>
 

@@ -1,4 +1,4 @@
-#include "backbone/cubemapped/RequestMix.h"
+#include "backbone/texels/RequestMix.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "backbone/cubemapped/TileTable.h"
+#include "backbone/cubemaps/TileTable.h"
 
 #include <set>
 

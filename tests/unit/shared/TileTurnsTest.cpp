@@ -1,4 +1,4 @@
-#include "backbone/cubemapped/TileTurns.h"
+#include "backbone/texels/TileTurns.h"
 
 #include <algorithm>
 

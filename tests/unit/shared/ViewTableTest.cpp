@@ -12,7 +12,7 @@ namespace {
 constexpr ViewId kLeft{1};
 constexpr ViewId kRight{2};
 
-Sight sightFrom(float x, const glm::ivec2& size = {160, 90}) {
+Viewpoint sightFrom(float x, const glm::ivec2& size = {160, 90}) {
     const glm::mat4 view = glm::translate(glm::mat4(1.0F), glm::vec3(-x, 0, 0));
     const glm::mat4 projection = glm::perspective(1.0F, 1.5F, 0.1F, 100.0F);
     return {*HostCamera::create(view, projection), size, {}};

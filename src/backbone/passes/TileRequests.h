@@ -1,0 +1,28 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "backbone/cubemaps/CubeMapProjector.h"
+#include "backbone/passes/FeedbackPass.h"
+
+namespace aolib {
+
+/// What a survey's points come to.
+struct RequestedTiles {
+    float coverage = 1.0F; ///< share that is shaded, or may be once what is on its way has come
+    std::optional<glm::vec3> missing; ///< one amidst those that are not, world units
+};
+
+/// Asks for the tiles of cube maps in which a survey's points lie; for their pages, too, where
+/// pixels are finer than texels, or where something hides a point from the cube map that might know
+/// it: as the scale of the pages says.
+/// @param projectors  those in use
+/// @param passes      that a page needs
+/// @param requested   by the view, to which they are added
+RequestedTiles requestTiles(const std::vector<CubeMapProjector*>& projectors,
+                            const FeedbackResult& answer, const PageStore& pages, int passes,
+                            std::map<CubeMapId, TileSet>& requested);
+
+} // namespace aolib

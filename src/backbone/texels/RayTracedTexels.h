@@ -1,0 +1,105 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "backbone/texels/AbstractTexelSource.h"
+#include "backbone/texels/TexelCodes.h"
+#include "backbone/texels/TileTurns.h"
+#include "backbone/texels/TracerQueue.h"
+
+namespace aolib {
+
+/// Texels by ray tracing: a tracer works on tiles in the background, and what it has finished is
+/// uploaded. Each pass continues the rays of a tile; the GPU does nothing but take the results.
+///
+/// When the scene changes, only tiles that the change can have altered begin again. Results name
+/// the scene that they were traced in: one of an older scene is shown until a newer one comes, but
+/// no rays are added to it. So a tile that changes in every frame shows the latest that is known of
+/// it, and the others go on.
+class RayTracedTexels final : public AbstractTexelSource {
+public:
+    /// @param atlas, queue  outlive it.
+    RayTracedTexels(const BackboneContext& context, TexelAtlas& atlas, TracerQueue& queue)
+        : context_(context), atlas_(atlas), queue_(queue) {}
+
+    int passes() const override;
+    void beginFrame(const std::vector<CubeMapProjector*>& projectors) override {
+        projectors_ = projectors;
+    }
+    AoStatus endFrame() override;
+    std::optional<WorkUnit> next() override;
+    Result<int> step(int most) override;
+    void await(double milliseconds) override { queue_.wait(milliseconds); }
+    AoStatus complete(CubeMapProjector& projector) override;
+    bool hasPending(const CubeMapProjector& projector) const override;
+    void sceneChanged(CubeMapProjector& projector, const Scene::Change& change,
+                      float reach) override;
+    void restart(CubeMapProjector& projector) override;
+    void forget(CubeMapId id) override { works_.erase(id); }
+
+private:
+    /// What has been traced of a tile, until it is complete.
+    struct Tile {
+        std::vector<float> sum; ///< per texel: W times rays
+        int rays = 0;
+    };
+    /// What a tile shows, and since when that is out of date. Scenes by their numbers.
+    struct Shown {
+        std::uint64_t scene = 0;     ///< that was traced
+        std::uint64_t changedIn = 0; ///< results of scenes before are out of date
+        SeenSurfaces seen;           ///< before anything is known, all that there may be
+    };
+    struct Work {
+        std::map<int, Tile> tiles;
+        std::map<int, Tile> pages;
+        std::vector<Shown> shown; ///< by tile
+        bool spans = false;       ///< the projector's code spans the scene as it is
+    };
+    /// A tile, or its detail, that lacks a pass.
+    struct Wanted {
+        CubeMapProjector* projector;
+        int tile;
+        bool detail;
+        int passes; ///< that it has had
+    };
+    /// Tiles without a pass that counts, and tiles that have one: to be refined.
+    struct Lists {
+        std::vector<Wanted> first;
+        std::vector<Wanted> refined;
+    };
+
+    Work& workOf(const CubeMapProjector& projector);
+    const Shown& shown(const CubeMapProjector& projector, int tile);
+    /// Requests the next pass of every tile that lacks one, the poorest first.
+    void request();
+    Lists lists();
+    TexelRequest requestFor(const Wanted& wanted) const;
+    /// Whether a result is of this cube map, and of the options as they are but for the scene.
+    bool fits(const CubeMapProjector& projector, const TracedTexels& traced, bool detail) const;
+    /// Whether a result belongs to the scene and the radius as they are for a tile.
+    bool counts(const CubeMapProjector& projector, const TracedTexels& traced, int tile);
+    AoStatus take(const TracedTexels& traced);
+    AoStatus takeFace(CubeMapProjector& projector, const TracedTexels& traced, int tile);
+    /// Shows a result that is out of date, where it is newer than what is shown.
+    AoStatus takeOutdated(CubeMapProjector& projector, const TracedTexels& traced, int tile);
+    AoStatus takePage(CubeMapProjector& projector, const TracedTexels& traced, int tile);
+    /// Adds a pass. @return false when it has been traced before.
+    static bool add(Tile& sums, const TracedTexels& traced);
+    AoStatus upload(CubeMapProjector& projector, const TracedTexels& traced, const Tile& sums,
+                    int tile);
+    /// Makes the code of depths span the scene as it is.
+    void spanScene(CubeMapProjector& projector);
+
+    const BackboneContext context_;
+    TexelAtlas& atlas_;
+    TracerQueue& queue_;
+    std::vector<CubeMapProjector*> projectors_; ///< of the frame
+    std::map<CubeMapId, Work> works_;
+    TileTurns turns_;
+    std::size_t queued_ = 0;
+};
+
+} // namespace aolib

@@ -5,7 +5,7 @@
 layout(location = 0) out float outCount;
 
 void main() {
-    if (vSolid > 0.0 ? !enters() : closesLid()) {
+    if (vSolid > 0.0 ? !enters() : closesShell()) {
         discard;
     }
     outCount = 1.0 / 255.0;

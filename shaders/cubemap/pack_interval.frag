@@ -1,5 +1,5 @@
 #version 330 core
-// One layer of solid intervals [entry, exit] from what was peeled. A sheet has entry = exit; solid
+// One layer of solid intervals [entry, exit] from what was peeled. An open mesh has entry = exit; solid
 // that nothing ends goes on without end.
 #include "cubemap/entry_kinds.glsl"
 

@@ -1,13 +1,13 @@
 // What the peeling stages share: the fragment, and what begins or ends there. A solid is entered and
-// left. A sheet of which only one side is to be seen is a lid: what lies behind that side, up to the
-// next surface, is taken as solid. Any other sheet has no thickness.
+// left. An open mesh of which only one side is seen is a one-sided shell: what lies behind that side, up to the
+// next surface, is taken as solid. Any other open mesh has no thickness.
 #include "cubemap/entry_kinds.glsl"
 
 in vec3 vPosition;
 in vec3 vNormal;
 flat in float vSolid;
-flat in float vSheet;
-flat in float vLid;
+flat in float vOpenMesh;
+flat in float vShell;
 
 uniform bool uMirrored;    // the model matrix turns triangles round
 uniform float uInside[16]; // solids that contain the cube's centre: there, in and out are exchanged
@@ -27,6 +27,6 @@ bool enters() {
     return front;
 }
 
-// Whether solid begins, or ends, behind a fragment of a sheet.
-bool opensLid() { return vLid != 0.0 && frontFaces() == (vLid > 0.0); }
-bool closesLid() { return vLid != 0.0 && frontFaces() != (vLid > 0.0); }
+// Whether solid begins, or ends, behind a fragment of an open mesh.
+bool opensLid() { return vShell != 0.0 && frontFaces() == (vShell > 0.0); }
+bool closesShell() { return vShell != 0.0 && frontFaces() != (vShell > 0.0); }

@@ -18,7 +18,7 @@ const float kReach = 0.25;
 layout(location = 0) out vec2 outFound; // blocked weight, weight
 
 // A pixel's surface relative to the eye, world axes, as the triangle has it that is seen there: the depth
-// buffer does not tell the normals of what is one pixel wide. False where the host has drawn nothing, or what
+// buffer does not hold the normals of what is one pixel wide. False where the host has drawn nothing, or what
 // the scene does not have.
 bool receiverAt(ivec2 pixel, out vec3 position, out vec2 normals) {
     float d = texelFetch(uDepth, pixel, 0).r;

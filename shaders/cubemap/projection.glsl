@@ -7,13 +7,13 @@
 uniform sampler2DArray uCubeVisibility; // a layer per face that is kept
 uniform sampler2DArray uCubeDepth;      // coded depth along the face's axis; 0 where nothing is known
 uniform int uFaceSize;                  // texels
-// Blocks, which tiles keep beside their texels: finer ones where surfaces end, or as fine ones of the
+// Pages, which tiles have beside their texels: finer ones where surfaces end, or as fine ones of the
 // surfaces behind. Read where AO_PAGES is defined. (A software rasteriser runs every branch: what a
 // uniform switches off would cost all the same.) They lie in layers of the same textures.
-uniform sampler2DArray uPages; // a layer per face, a texel per tile: 1 + layer of its block, and where
-                               // in the layer, x + 256 y in blocks; 0 where it has none
+uniform sampler2DArray uPages; // a layer per face, a texel per tile: 1 + layer of its page, and where
+                               // in the layer, x + 256 y in pages; 0 where it has none
 uniform float uReach;           // of occluders, world units
-uniform int uPageScale;       // texels of blocks along a texel; 1: they are of the surfaces behind
+uniform int uPageScale;       // texels of pages along a texel; 1: they are of the surfaces behind
 // Per cube map: from its centre to the eye (world units), and what its quality is multiplied by.
 uniform vec4 uCubeToEye[64];
 uniform vec4 uDepthCode[64]; // what codes of depth span, two unused
@@ -42,7 +42,7 @@ const float kLongestOfPixel = 32.0;
 const float kMostGrazing = 0.01; // cosine to the viewer below which pixels count as no longer
 // Sum of weights, 2^-(distance in footprints)^2, from which texels are near enough.
 const float kLeastWeight = 0.002;
-// Texels about a point that differ by more than this in visibility leave it in doubt.
+// Texels about a point that differ by more than this in visibility leave it in lowConfidence.
 const float kDoubtfulSpread = 0.03;
 
 struct Projected {
@@ -52,9 +52,9 @@ struct Projected {
     int cube;      // the best
     int face;      // of the best
     vec2 uv;       // on that face
-    int guess;     // the best of those that see its direction but do not know the surface
-    float guessQuality;
-    bool doubt; // the best does not quite tell the surface's visibility
+    int fallbackCube; // the best of those that look its way but hold no texel of the surface
+    float fallbackQuality;
+    bool lowConfidence; // its texels about the surface differ, or some are of other surfaces
 };
 
 Projected nothingProjected() {
@@ -74,7 +74,7 @@ struct Quad {
     vec4 t;
 };
 
-// The texels of a grid: of a face as a whole, or of the block of one of its tiles.
+// The texels of a grid: of a face as a whole, or of a page of one of its tiles.
 struct Grid {
     int layer;
     ivec2 origin; // of the grid's texel (0, 0) in its layer
@@ -114,9 +114,9 @@ Quad quadAt(Grid grid, ivec2 corner, vec2 code) {
 // All in the face's axes; `at` in texels from the middle of the grid's first.
 // @param tolerance  how far from p's tangent plane they may lie
 // @param apart      how far from p along the face's axis
-// @param doubt      whether not all four do, or they differ
-float lookUp(vec3 p, vec3 normal, Grid grid, vec2 at, vec2 code, float tolerance, float apart,
-             out bool doubt) {
+// @param lowConfidence      whether not all four do, or they differ
+float sampleBilinear(vec3 p, vec3 normal, Grid grid, vec2 at, vec2 code, float tolerance, float apart,
+             out bool lowConfidence) {
     vec2 corner = clamp(floor(at), vec2(0.0), vec2(grid.extent - 2));
     vec2 f = clamp(at - corner, 0.0, 1.0);
     Quad quad = quadAt(grid, ivec2(corner), code);
@@ -131,14 +131,14 @@ float lookUp(vec3 p, vec3 normal, Grid grid, vec2 at, vec2 code, float tolerance
     float sum = dot(weights, vec4(1.0));
     vec2 least = min(quad.visibility.xy, quad.visibility.zw);
     vec2 most = max(quad.visibility.xy, quad.visibility.zw);
-    doubt = dot(belongs, vec4(1.0)) < 3.5 ||
+    lowConfidence = dot(belongs, vec4(1.0)) < 3.5 ||
             max(most.x, most.y) - min(least.x, least.y) > kDoubtfulSpread;
     return sum > 0.0 ? dot(weights, quad.visibility) / sum : -1.0;
 }
 
 // The same where none of the four is on the surface, as at edges that are finer than a texel: by the
 // sixteen about it, whichever are near in space. Negative where not `needed`.
-float lookAbout(vec3 p, Grid grid, vec2 at, vec2 code, bool needed) {
+float sampleNeighbours(vec3 p, Grid grid, vec2 at, vec2 code, bool needed) {
     float footprint = 2.0 * p.z / float(uFaceSize);
     ivec2 first = ivec2(floor(at)) - 1;
     float sum = 0.0;
@@ -207,21 +207,21 @@ void project(int cube, vec3 eyeTo, vec3 normal, float resolution, float longest,
     vec3 normalInFace = toFace(face, normal);
     vec2 uv = inFace.xy / inFace.z * 0.5 + 0.5;
     vec2 at = uv * float(uFaceSize);
-    bool doubt;
+    bool lowConfidence;
     float visibility =
-        lookUp(inFace, normalInFace, wholeFace(layer), at - 0.5, uDepthCode[cube].xy,
-               planeTolerance(p, depth, facing, 1.0, resolution, longest), kAnywhere, doubt);
+        sampleBilinear(inFace, normalInFace, wholeFace(layer), at - 0.5, uDepthCode[cube].xy,
+               planeTolerance(p, depth, facing, 1.0, resolution, longest), kAnywhere, lowConfidence);
     if (visibility < 0.0) {
-        if (quality > best.guessQuality) {
-            best.guessQuality = quality;
-            best.guess = cube;
+        if (quality > best.fallbackQuality) {
+            best.fallbackQuality = quality;
+            best.fallbackCube = cube;
         }
         return;
     }
     if (quality > best.quality) {
         float fade = fourthPower(best.quality / quality);
         best = Projected(best.sum * fade + visibility, best.weights * fade + 1.0, quality, cube, face,
-                         uv, best.guess, best.guessQuality, doubt);
+                         uv, best.fallbackCube, best.fallbackQuality, lowConfidence);
     } else {
         float weight = fourthPower(quality / best.quality);
         best.sum += weight * visibility;
@@ -241,29 +241,29 @@ void projectAll(int first, int end, vec3 eyeTo, vec3 normal, float resolution, f
     }
 }
 
-// Notes a cube map that sees a point's direction as one to guess by: what project() does in passing,
+// Notes a cube map that sees a point's direction as one to fallbackCube by: what project() does in passing,
 // for those of earlier passes.
 void consider(int cube, vec3 eyeTo, vec3 normal, inout Projected best) {
     vec3 p = uCubeToEye[cube].xyz + eyeTo;
     float facing = -dot(normal, p);
     vec3 a = abs(p);
     float quality = qualityFactor(dot(p, p), max(a.x, max(a.y, a.z)), facing) * uCubeToEye[cube].w;
-    if (facing > 0.0 && faceLayer(cube, faceOf(p)) != kNoLayer && quality > best.guessQuality) {
-        best.guessQuality = quality;
-        best.guess = cube;
+    if (facing > 0.0 && faceLayer(cube, faceOf(p)) != kNoLayer && quality > best.fallbackQuality) {
+        best.fallbackQuality = quality;
+        best.fallbackCube = cube;
     }
 }
 
 // After all cube maps: where a tile of the best is kept finer, what its finer texels know stands for all;
-// where none knows the surface, what the one that might knows of it in its block, or nearby. Apart from
+// where none knows the surface, what the one that might knows of it in its page, or nearby. Apart from
 // project(), because a software rasteriser runs every branch, for each cube map again; only loops end
 // when no pixel of a group goes on.
 void refine(vec3 eyeTo, vec3 normal, float resolution, float longest, inout Projected best) {
     bool unknown = best.weights <= 0.0;
-    if (unknown && best.guess < 0) {
+    if (unknown && best.fallbackCube < 0) {
         return;
     }
-    int cube = unknown ? best.guess : best.cube;
+    int cube = unknown ? best.fallbackCube : best.cube;
     vec3 p = uCubeToEye[cube].xyz + eyeTo;
     int face = faceOf(p);
     vec3 inFace = toFace(face, p);
@@ -280,23 +280,23 @@ void refine(vec3 eyeTo, vec3 normal, float resolution, float longest, inout Proj
     ivec2 tile = min(ivec2(at), uFaceSize - 1) / kTile;
     ivec3 link = ivec3(tile, layer);
     bool behind;
-    do { // from block to block, which lie behind each other
+    do { // from page to page, which lie behind each other
         ivec2 page = ivec2(texelFetch(uPages, link, 0).rg * 65535.0 + 0.5);
         bool paged = page.x > 0 && (uPageScale > 1 || unknown);
         link = ivec3(page.y & 255, page.y >> 8, page.x - 1);
         Grid grid = Grid(max(link.z, 0), edge * link.xy, tile * edge,
                          min(ivec2(edge), uPageScale * uFaceSize - tile * edge), uPageScale);
-        bool doubt;
-        float told = lookUp(inFace, toFace(face, normal), grid, scale * at - vec2(grid.offset) - 0.5,
-                            code, tolerance, apart, doubt);
-        visibility = paged ? told : visibility;
-        best.doubt = paged ? doubt || told < 0.0 : best.doubt;
-        behind = paged && uPageScale == 1 && told < 0.0;
+        bool lowConfidence;
+        float ofPage = sampleBilinear(inFace, toFace(face, normal), grid, scale * at - vec2(grid.offset) - 0.5,
+                            code, tolerance, apart, lowConfidence);
+        visibility = paged ? ofPage : visibility;
+        best.lowConfidence = paged ? lowConfidence || ofPage < 0.0 : best.lowConfidence;
+        behind = paged && uPageScale == 1 && ofPage < 0.0;
     } while (behind);
 #endif
     bool nearby = unknown && visibility < 0.0;
-    float about = lookAbout(inFace, wholeFace(layer), at - 0.5, code, nearby);
-    best.doubt = best.doubt || unknown && visibility < 0.0;
+    float about = sampleNeighbours(inFace, wholeFace(layer), at - 0.5, code, nearby);
+    best.lowConfidence = best.lowConfidence || unknown && visibility < 0.0;
     visibility = nearby ? about : visibility;
     if (visibility >= 0.0) {
         best.sum = visibility;

@@ -14,10 +14,10 @@ void main() {
     if (!hostSurface(pixel, surface)) {
         discard;
     }
-    vec4 told = upsampled(pixel, surface);
-    if (uKnownAlone && told.a <= 0.0) {
+    vec4 projected = upsampled(pixel, surface);
+    if (uKnownAlone && projected.a <= 0.0) {
         discard;
     }
-    float visibility = told.a > 0.0 ? told.r : 1.0;
+    float visibility = projected.a > 0.0 ? projected.r : 1.0;
     outFactor = vec4(vec3(1.0 - uContrast + uContrast * visibility), 1.0);
 }

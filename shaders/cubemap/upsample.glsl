@@ -1,4 +1,4 @@
-// What the cube maps told at half the resolution, taken to a pixel: the mean of the four nearest samples
+// What the cube maps projected at half the resolution, taken to a pixel: the mean of the four nearest samples
 // that lie on its tangent plane, bilinear; where none does, the one nearest to it.
 #include "frame/host_surface.glsl"
 #include "cubemap/refined.glsl"
@@ -25,16 +25,16 @@ vec4 upsampled(ivec2 pixel, HostSurface surface) {
         ivec2 corner = ivec2(i & 1, i >> 1);
         ivec2 at = clamp(base + corner, ivec2(0), last);
         ivec2 other = pixelOfSample(at);
-        vec4 told = texelFetch(uHalf, at, 0);
+        vec4 projected = texelFetch(uHalf, at, 0);
         vec3 position = eyePosition(vec2(other) + 0.5, linearDepth(rawDepth(other)));
         float off = abs(dot(surface.normal, position - surface.eye));
         vec2 share = mix(1.0 - f, f, vec2(corner));
-        float visibility = told.a > 0.0 ? told.r / told.a : 1.0;
-        float weight = told.a > 0.0 && off <= tolerance ? share.x * share.y : 0.0;
+        float visibility = projected.a > 0.0 ? projected.r / projected.a : 1.0;
+        float weight = projected.a > 0.0 && off <= tolerance ? share.x * share.y : 0.0;
         sum += weight * visibility;
         weights += weight;
-        bool nearer = told.a > 0.0 && off < nearest;
-        best = nearer ? vec4(visibility, told.gb, 1.0) : best;
+        bool nearer = projected.a > 0.0 && off < nearest;
+        best = nearer ? vec4(visibility, projected.gb, 1.0) : best;
         nearest = nearer ? off : nearest;
     }
     best.r = weights > 0.0 ? sum / weights : best.r;

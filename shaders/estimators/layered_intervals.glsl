@@ -28,9 +28,9 @@ uniform int uFalloff;    // as enum class Falloff
 const float kPi = 3.14159265358979;
 // The receiver is lifted off its surface by this many texel footprints.
 const float kLift = 0.1;
-// A sample's surface is continued along its tangent plane by at most this many step widths; a sheet,
+// A sample's surface is continued along its tangent plane by at most this many step widths; an open mesh,
 // which leaves no solid behind where it ends, by more (docs/accuracy.md has the errors for others). The
-// finer the steps, the less is left to guess: stages with many define AO_FINE_STEPS.
+// finer the steps, the less is left to fallbackCube: stages with many define AO_FINE_STEPS.
 #ifdef AO_FINE_STEPS
 const float kExtension = 0.5;
 const float kSheetExtension = 8.0;

@@ -10,7 +10,7 @@ layout(location = 1) out vec2 outNormal;
 uniform sampler2D uHostNormals; // world space
 uniform vec2 uNormalCode;       // scale and offset that make vectors of what it holds
 
-// A host's normal shorter than this is none: eight bits cannot tell 0 from 1/255.
+// A host's normal shorter than this is none: eight bits cannot distinguish 0 from 1/255.
 const float kLeastNormal = 0.1;
 
 // The host's normal where it gives one, on the side of the surface that is seen.

@@ -30,7 +30,7 @@ vec3 surfaceStep(ivec2 pixel, ivec2 axis, float d, vec3 centre) {
 }
 
 // Whether a pixel's surface goes on to neither side along `axis`: to within a share of a pixel's
-// footprint its neighbours do not lie in its plane, so that no normal can be told.
+// footprint its neighbours do not lie in its plane, so that no normal can be computed.
 bool isAlone(ivec2 pixel, ivec2 axis, float d, float t) {
     float missBefore = abs(2.0 * rawDepth(pixel - axis) - rawDepth(pixel - 2 * axis) - d);
     float missAfter = abs(2.0 * rawDepth(pixel + axis) - rawDepth(pixel + 2 * axis) - d);

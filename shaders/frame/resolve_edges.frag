@@ -7,7 +7,7 @@ uniform int uSampleCount;
 layout(location = 0) out float outDepth; // of the nearest surface, continued to the pixel's centre
 layout(location = 1) out float outEdge;  // (1 + a sample that shows it) / 255; 0 where there is one surface
 
-// Samples whose linear depths differ by fewer pixel footprints count as one surface: what tells them apart
+// Samples whose linear depths differ by fewer pixel footprints count as one surface: what differs between them
 // is as small as a pixel.
 const float kAlikeFootprints = 1.0;
 // The nearest surface is continued to at most this many times its depth, or to one over it.

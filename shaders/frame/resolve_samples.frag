@@ -1,5 +1,5 @@
 #version 330 core
-// One depth per pixel of a multisampled host, and a first guess at the pixels that show several surfaces:
+// One depth per pixel of a multisampled host, and a first fallbackCube at the pixels that show several surfaces:
 // one look at each sample, for all pixels.
 #include "frame/host_samples.glsl"
 

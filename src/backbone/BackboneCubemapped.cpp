@@ -35,15 +35,15 @@ Result<CubeMapPasses> CubeMapPasses::create(const BackboneContext& context) {
     if (!fallback) {
         return fallback.status();
     }
-    auto survey = FeedbackPass::create(context);
-    if (!survey) {
-        return survey.status();
+    auto feedback = FeedbackPass::create(context);
+    if (!feedback) {
+        return feedback.status();
     }
     auto outlines = CubeMapOutlines::create(context);
     if (!outlines) {
         return outlines.status();
     }
-    return CubeMapPasses{std::move(*projection), std::move(*fallback), std::move(*survey),
+    return CubeMapPasses{std::move(*projection), std::move(*fallback), std::move(*feedback),
                          std::move(*outlines)};
 }
 

@@ -22,7 +22,7 @@ struct CubeMapPasses {
 
     Projection projection;
     ScreenSpaceFallback fallback;
-    FeedbackPass survey;
+    FeedbackPass feedback;
     CubeMapOutlines outlines;
 };
 

@@ -90,19 +90,19 @@ void BackboneCubemapped::chooseCubeMaps(const FrameContext& context, CubemappedV
 }
 
 void BackboneCubemapped::applyFeedback(CubemappedView& view) {
-    auto answer = view.surveys.poll();
-    if (!answer) {
+    auto feedback = view.pendingFeedback.poll();
+    if (!feedback) {
         if (view.feedbackInterval() > 1) { // no new feedback: the last usage shares count again
             cubeMaps_.recordUsage(view.feedback.best);
         }
         return;
     }
-    cubeMaps_.recordUsage(answer->best);
-    const RequestedTiles requested = requestTiles(view.used, *answer, cubeMaps_.atlas().pages,
+    cubeMaps_.recordUsage(feedback->best);
+    const RequestedTiles requested = requestTiles(view.used, *feedback, cubeMaps_.atlas().pages,
                                                   schedule_.passes(), view.requested);
     view.predictedCoverage = requested.coverage;
     view.missing = requested.missing;
-    view.feedback = std::move(*answer);
+    view.feedback = std::move(*feedback);
     view.feedbackIsCurrent = true;
 }
 
@@ -261,8 +261,8 @@ AoStatus BackboneCubemapped::issueFeedback(const FrameContext& context, Cubemapp
     if (view.frames % view.feedbackInterval() != 0) {
         return {};
     }
-    return cubeMapPasses_.survey.take(context, {cubeMaps_.atlas(), view.projected}, frameNumber(),
-                                      view.surveys);
+    return cubeMapPasses_.feedback.issue(context, {cubeMaps_.atlas(), view.projected},
+                                         frameNumber(), view.pendingFeedback);
 }
 
 // ---- What a frame needs to be known

@@ -6,17 +6,17 @@ namespace aolib {
 
 namespace {
 
-/// From one survey to the next, frames: of a view at rest for which nothing is left to do (the host
-/// may draw what it has not described), and of one that moves.
-constexpr std::uint64_t kSurveyEveryAtRest = 8;
-constexpr std::uint64_t kSurveyEveryMoving = 3;
+/// Frames from one feedback pass to the next: of a view at rest for which nothing is left to do
+/// (the host may draw what it has not described), and of one that moves.
+constexpr std::uint64_t kFeedbackIntervalAtRest = 8;
+constexpr std::uint64_t kFeedbackIntervalMoving = 3;
 /// Said of a view that has not converged, at most.
 constexpr float kAlmost = 0.99F;
 
 } // namespace
 
 void CubemappedView::cubeMapsChanged() {
-    surveys.restart();
+    pendingFeedback.restart();
     feedbackIsCurrent = false;
     predictedCoverage.reset();
     missing.reset();
@@ -63,9 +63,9 @@ bool CubemappedView::feedbackIsUpToDate() const {
 
 std::uint64_t CubemappedView::feedbackInterval() const {
     if (feedbackIsUpToDate()) {
-        return kSurveyEveryAtRest;
+        return kFeedbackIntervalAtRest;
     }
-    return feedbackIsCurrent && !refiner.isStatic() ? kSurveyEveryMoving : 1;
+    return feedbackIsCurrent && !refiner.isStatic() ? kFeedbackIntervalMoving : 1;
 }
 
 void CubemappedView::noteComputed(float share) {

@@ -37,11 +37,11 @@ struct CubemappedView final : ViewState {
     /// Notes a frame: a view that shows something else begins anew.
     /// @param number  of the frame, when it has ended
     void beginFrame(const Frame& frame, std::uint64_t number);
-    /// Whether a survey has looked at what the latest frame shows.
+    /// Whether feedback has arrived of what the latest frame shows.
     bool hasFeedback() const { return feedback.frame > 0 && feedback.frame >= restsSince; }
-    /// The latest survey saw this view, as it is now that nothing is left to compute.
+    /// Whether the latest feedback is of this view, as it is now that nothing is left to compute.
     bool feedbackIsUpToDate() const;
-    /// From one survey to the next, frames of this view.
+    /// Frames of this view from one feedback pass to the next.
     std::uint64_t feedbackInterval() const;
     /// Notes how much is computed. @param share  of the passes that are needed, as far as is known
     void noteComputed(float share);
@@ -52,7 +52,7 @@ struct CubemappedView final : ViewState {
     /// What computeVisibility() projected last, of `pictures`; null before the first.
     const gl::RenderToTexture2D* latestBest = nullptr;
 
-    PendingFeedback surveys;
+    PendingFeedback pendingFeedback;
     FeedbackResult feedback;        ///< the latest that has arrived; frame 0 before the first
     bool feedbackIsCurrent = false; ///< no cube map has come or gone since
     /// Share of the surfaces that are shaded, or may be by what is on its way.

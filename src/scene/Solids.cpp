@@ -134,7 +134,7 @@ Solids findSolids(const Mesh& mesh) {
         }
         volumes[entry->second] += volume(corner[0], corner[1], corner[2]);
     }
-    const std::uint32_t sheet = Solids::kSheets + solids.count();
+    const std::uint32_t sheet = Solids::kOpenMeshes + solids.count();
     solids.solidOfVertex.assign(mesh.positions.size(), sheet);
     for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
         const auto found = solidOfRoot.find(components.find(first[v]));
@@ -142,7 +142,7 @@ Solids findSolids(const Mesh& mesh) {
     }
     for (std::size_t t = 0; t < solids.indices.size(); t += 3) {
         const std::uint32_t solid = solids.solidOfVertex[solids.indices[t]];
-        if (solid < Solids::kSheets && volumes[solid - 1] < 0.0) {
+        if (solid < Solids::kOpenMeshes && volumes[solid - 1] < 0.0) {
             std::swap(solids.indices[t + 1], solids.indices[t + 2]);
         }
     }
@@ -163,7 +163,7 @@ std::vector<std::uint32_t> solidsAround(const Mesh& mesh, const Solids& solids,
     const glm::dvec3 direction = glm::normalize(glm::dvec3(0.5773, 0.6181, 0.5336));
     for (std::size_t t = 0; t < solids.indices.size(); t += 3) {
         const std::uint32_t solid = solids.solidOfVertex[solids.indices[t]];
-        if (solid >= Solids::kSheets || !solids.bounds[solid - 1].contains(point)) {
+        if (solid >= Solids::kOpenMeshes || !solids.bounds[solid - 1].contains(point)) {
             continue;
         }
         const auto corner = [&](std::size_t k) {

@@ -15,9 +15,9 @@ namespace aolib {
 struct Solids {
     /// Added to the number of the mesh's sheets, to tell them from solids. Numbers up to twice as
     /// large are exact in a float, as which shaders get them.
-    static constexpr std::uint32_t kSheets = 1U << 22U;
+    static constexpr std::uint32_t kOpenMeshes = 1U << 22U;
 
-    /// Per vertex: 1 + the number of its solid, or kSheets + count() for the mesh's sheets, which
+    /// Per vertex: 1 + the number of its solid, or kOpenMeshes + count() for the mesh's sheets, which
     /// share one number.
     std::vector<std::uint32_t> solidOfVertex;
     /// Triangles turned so that every solid's normals point outwards: those of an inside-out one

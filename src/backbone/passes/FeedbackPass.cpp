@@ -15,7 +15,7 @@ namespace aolib {
 namespace {
 
 /// The number of a point's cube map, which the lowest bits of a footprint tell
-/// (shaders/cubemap/survey.frag).
+/// (shaders/cubemap/feedback.frag).
 std::size_t cubeMapOf(float footprint) {
     return std::bit_cast<std::uint32_t>(footprint) & 63U;
 }
@@ -23,7 +23,7 @@ std::size_t cubeMapOf(float footprint) {
 } // namespace
 
 Result<FeedbackPass> FeedbackPass::create(const BackboneContext& context) {
-    auto shader = buildShader(context.gl, "fullscreen.vert", "cubemap/survey.frag", {"AO_PAGES"});
+    auto shader = buildShader(context.gl, "fullscreen.vert", "cubemap/feedback.frag", {"AO_PAGES"});
     if (!shader) {
         return shader.status();
     }
@@ -31,21 +31,21 @@ Result<FeedbackPass> FeedbackPass::create(const BackboneContext& context) {
         context.gl, {.width = kSize,
                      .height = kSize,
                      .targets = {gl::RenderToTexture2D::Format::RGBA32F},
-                     .label = "aolib/survey"});
+                     .label = "aolib/feedback"});
     if (!target) {
         return target.status();
     }
-    FeedbackPass survey;
-    survey.shader_ = std::move(*shader);
-    survey.target_ = std::move(*target);
-    return survey;
+    FeedbackPass pass;
+    pass.shader_ = std::move(*shader);
+    pass.target_ = std::move(*target);
+    return pass;
 }
 
 AoStatus FeedbackPass::makeReadbacks(const BackboneContext& context, PendingFeedback& of) const {
     std::vector<PendingFeedback::Request> requests(kMost);
     for (PendingFeedback::Request& request : requests) {
         auto readback =
-            gl::PixelReadback::create(context.gl, target_.bytes(), "aolib/survey/readback");
+            gl::PixelReadback::create(context.gl, target_.bytes(), "aolib/feedback/readback");
         if (!readback) {
             return readback.status();
         }
@@ -55,9 +55,9 @@ AoStatus FeedbackPass::makeReadbacks(const BackboneContext& context, PendingFeed
     return {};
 }
 
-AoStatus FeedbackPass::take(const FrameContext& context, const ProjectedCubeMaps& cubeMaps,
-                            std::uint64_t frameNumber, PendingFeedback& into) {
-    const gl::DebugGroup group(context.gl, "aolib: survey");
+AoStatus FeedbackPass::issue(const FrameContext& context, const ProjectedCubeMaps& cubeMaps,
+                             std::uint64_t frameNumber, PendingFeedback& into) {
+    const gl::DebugGroup group(context.gl, "aolib: feedback");
     if (into.requests_.empty()) {
         if (AoStatus status = makeReadbacks(context, into); !status) {
             return status;
@@ -86,7 +86,7 @@ AoStatus FeedbackPass::take(const FrameContext& context, const ProjectedCubeMaps
 
 FeedbackResult PendingFeedback::evaluate(const Request& request,
                                          std::span<const std::uint8_t> pixels) {
-    FeedbackResult answer{.frame = request.frame,
+    FeedbackResult result{.frame = request.frame,
                           .eye = request.eye,
                           .points = {},
                           .shades = {},
@@ -96,37 +96,37 @@ FeedbackResult PendingFeedback::evaluate(const Request& request,
                           .projected = request.cubeMaps};
     std::vector<std::size_t> shadedBy(request.cubeMaps.size() + 1, 0);
     std::size_t shaded = 0;
-    answer.points.reserve(pixels.size() / sizeof(glm::vec4));
-    answer.footprints.reserve(pixels.size() / sizeof(glm::vec4));
-    answer.hiddenFrom.reserve(pixels.size() / sizeof(glm::vec4));
+    result.points.reserve(pixels.size() / sizeof(glm::vec4));
+    result.footprints.reserve(pixels.size() / sizeof(glm::vec4));
+    result.hiddenFrom.reserve(pixels.size() / sizeof(glm::vec4));
     for (std::size_t i = 0; i + sizeof(glm::vec4) <= pixels.size(); i += sizeof(glm::vec4)) {
         glm::vec4 sample;
         std::memcpy(&sample, pixels.data() + i, sizeof(sample));
         if (sample.w != 0.0F) {
-            answer.points.emplace_back(sample);
-            answer.shades.push_back(sample.w > 0.0F);
-            answer.footprints.push_back(std::abs(sample.w));
+            result.points.emplace_back(sample);
+            result.shades.push_back(sample.w > 0.0F);
+            result.footprints.push_back(std::abs(sample.w));
             const std::size_t cubeMap = std::min(cubeMapOf(sample.w), request.cubeMaps.size());
             const bool hidden = sample.w < 0.0F && cubeMap < request.cubeMaps.size();
-            answer.hiddenFrom.push_back(hidden ? request.cubeMaps[cubeMap] : CubeMapId{});
+            result.hiddenFrom.push_back(hidden ? request.cubeMaps[cubeMap] : CubeMapId{});
             if (sample.w > 0.0F) {
                 ++shaded;
                 ++shadedBy[cubeMap];
             }
         }
     }
-    answer.shaded = answer.points.empty()
+    result.shaded = result.points.empty()
                         ? 1.0F
-                        : static_cast<float>(shaded) / static_cast<float>(answer.points.size());
-    answer.surfaces = static_cast<float>(answer.points.size()) /
+                        : static_cast<float>(shaded) / static_cast<float>(result.points.size());
+    result.surfaces = static_cast<float>(result.points.size()) /
                       static_cast<float>(pixels.size() / sizeof(glm::vec4));
     for (std::size_t i = 0; i < request.cubeMaps.size(); ++i) {
         if (shadedBy[i] > 0) {
-            answer.best[request.cubeMaps[i]] =
-                static_cast<float>(shadedBy[i]) / static_cast<float>(answer.points.size());
+            result.best[request.cubeMaps[i]] =
+                static_cast<float>(shadedBy[i]) / static_cast<float>(result.points.size());
         }
     }
-    return answer;
+    return result;
 }
 
 std::optional<FeedbackResult> PendingFeedback::poll() {

@@ -29,12 +29,12 @@ struct FeedbackResult {
     std::vector<CubeMapId> projected; ///< the cube maps that it saw
 };
 
-/// The surveys of one view that are on their way.
+/// The feedback of one view that is still on the GPU.
 class PendingFeedback {
 public:
-    /// The newest answer that has arrived since the last call, if any.
+    /// The newest result that has arrived since the last call, if any.
     std::optional<FeedbackResult> poll();
-    /// Forgets what was sampled before now: the cube maps have changed.
+    /// Drops what was sampled before now: the cube maps have changed.
     void restart();
 
 private:
@@ -47,11 +47,12 @@ private:
     };
     static FeedbackResult evaluate(const Request& request, std::span<const std::uint8_t> pixels);
 
-    std::vector<Request> requests_; ///< empty before the first survey
+    std::vector<Request> requests_; ///< empty before the first pass
 };
 
-/// Samples, frames later and without a stall, what the host's view shows: which share of it is
-/// shaded (thesis 4.6), and where the surfaces are that cube maps have to know.
+/// The feedback pass of the sparse texture that cube maps are: samples what the host's view shows,
+/// which share of it is shaded (thesis 4.6), and where the surfaces are whose tiles are needed. Its
+/// results arrive frames later, without a stall.
 class FeedbackPass {
 public:
     /// Errors: ShaderError, OutOfMemory.
@@ -59,8 +60,8 @@ public:
 
     /// Starts sampling a frame of a view, unless all its readbacks are still on their way.
     /// Errors: OutOfMemory.
-    AoStatus take(const FrameContext& context, const ProjectedCubeMaps& cubeMaps,
-                  std::uint64_t frameNumber, PendingFeedback& into);
+    AoStatus issue(const FrameContext& context, const ProjectedCubeMaps& cubeMaps,
+                   std::uint64_t frameNumber, PendingFeedback& into);
 
 private:
     static constexpr int kSize = 128;       ///< samples along the small target's edge

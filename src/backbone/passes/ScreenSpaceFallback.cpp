@@ -30,7 +30,8 @@ bool ScreenSpaceFallback::due(const BackboneContext& context, float shaded, bool
 }
 
 Result<ScreenSpaceFallback> ScreenSpaceFallback::create(const BackboneContext& context) {
-    auto visibility = buildShader(context.gl, "fullscreen.vert", "cubemap/fallback.frag");
+    auto visibility =
+        buildShader(context.gl, "fullscreen.vert", "cubemap/screen_space_fallback.frag");
     if (!visibility) {
         return visibility.status();
     }

@@ -5,8 +5,9 @@
 
 namespace aolib {
 
-/// Shades what no cube map knows by what is in viewpoint (shaders/cubemap/fallback.frag): far from
-/// the truth, but nearer than white. It costs by the pixels that it shades.
+/// Shades what no cube map knows by what is in viewpoint
+/// (shaders/cubemap/screen_space_fallback.frag): far from the truth, but nearer than white. It
+/// costs by the pixels that it shades.
 class ScreenSpaceFallback {
 public:
     /// Errors: ShaderError.

@@ -9,20 +9,20 @@
 
 namespace aolib {
 
-/// What a survey's points come to.
+/// What the points of a feedback result come to.
 struct RequestedTiles {
     float coverage = 1.0F; ///< share that is shaded, or may be once what is on its way has come
     std::optional<glm::vec3> missing; ///< one amidst those that are not, world units
 };
 
-/// Asks for the tiles of cube maps in which a survey's points lie; for their pages, too, where
+/// Requests the tiles of cube maps in which the result's points lie; and their pages where
 /// pixels are finer than texels, or where something hides a point from the cube map that might know
-/// it: as the scale of the pages says.
+/// it, as the kind of pages says.
 /// @param projectors  those in use
 /// @param passes      that a page needs
 /// @param requested   by the view, to which they are added
 RequestedTiles requestTiles(const std::vector<CubeMapProjector*>& projectors,
-                            const FeedbackResult& answer, const PageStore& pages, int passes,
+                            const FeedbackResult& result, const PageStore& pages, int passes,
                             std::map<CubeMapId, TileSet>& requested);
 
 } // namespace aolib

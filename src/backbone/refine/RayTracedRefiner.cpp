@@ -22,7 +22,7 @@ constexpr double kReach = 0.25;
 /// texels about a point are.
 constexpr int kRaysPerTexelRay = 4;
 
-/// Channels of what doubt.frag writes, without and with samples.
+/// Channels of what low_confidence.frag writes, without and with samples.
 constexpr std::size_t kDepthAlone = 1;
 constexpr std::size_t kDepthAndSeen = 4;
 constexpr int kDoubtEdgesUnit = 6;
@@ -31,7 +31,7 @@ constexpr float kPixelCentre = 0.5F; ///< of a pixel
 } // namespace
 
 Result<gl::GLSLShader> RayTracedRefiner::createShader(const BackboneContext& context) {
-    return buildShader(context.gl, "fullscreen.vert", "cubemap/doubt.frag", {"AO_PAGES"});
+    return buildShader(context.gl, "fullscreen.vert", "cubemap/low_confidence.frag", {"AO_PAGES"});
 }
 
 void RayTracedRefiner::restart() {
@@ -126,7 +126,7 @@ Result<gl::GLSLShader*> RayTracedRefiner::shaderFor(const StaticView& view) {
         return &shader_;
     }
     if (!sampled_) {
-        auto shader = buildShader(view.context.gl, "fullscreen.vert", "cubemap/doubt.frag",
+        auto shader = buildShader(view.context.gl, "fullscreen.vert", "cubemap/low_confidence.frag",
                                   {"AO_PAGES", "AO_SAMPLES"});
         if (!shader) {
             return shader.status();
@@ -151,19 +151,19 @@ AoStatus RayTracedRefiner::findPixels(const StaticView& view) {
     if (!shader) {
         return shader.status();
     }
-    auto doubt = gl::RenderToTexture2D::create(
+    auto found = gl::RenderToTexture2D::create(
         gl, {.width = size.x,
              .height = size.y,
              .targets = {samples == nullptr ? Format::R32F : Format::RGBA32F},
              .label = "aolib/refiner/confidence"});
-    if (!doubt) {
-        return doubt.status();
+    if (!found) {
+        return found.status();
     }
-    auto readback = gl::PixelReadback::create(gl, doubt->bytes(), "aolib/refiner/readback");
+    auto readback = gl::PixelReadback::create(gl, found->bytes(), "aolib/refiner/readback");
     if (!readback) {
         return readback.status();
     }
-    lowConfidence_ = std::move(*doubt);
+    lowConfidence_ = std::move(*found);
     readback_ = std::move(*readback);
     lowConfidence_.begin(0);
     Projection::bind(**shader, view.context, view.cubeMaps);
@@ -210,14 +210,14 @@ void RayTracedRefiner::plan(const Frame& frame, std::span<const std::uint8_t> de
                 const glm::ivec2 at(x + block % kBlocks * kBlock + inBlock % kBlock,
                                     y + block / kBlocks * kBlock + inBlock / kBlock);
                 if (at.x < size.x && at.y < size.y) {
-                    const float* doubt = &rows[channels_ * (static_cast<std::size_t>(at.y) *
-                                                                static_cast<std::size_t>(size.x) +
-                                                            static_cast<std::size_t>(at.x))];
-                    if (doubt[0] >= 0.0F) {
-                        tile.push_back({at, doubt[0],
+                    const float* sample = &rows[channels_ * (static_cast<std::size_t>(at.y) *
+                                                                 static_cast<std::size_t>(size.x) +
+                                                             static_cast<std::size_t>(at.x))];
+                    if (sample[0] >= 0.0F) {
+                        tile.push_back({at, sample[0],
                                         channels_ == kDepthAlone
-                                            ? glm::vec3(kPixelCentre, kPixelCentre, doubt[0])
-                                            : glm::vec3(doubt[1], doubt[2], doubt[3])});
+                                            ? glm::vec3(kPixelCentre, kPixelCentre, sample[0])
+                                            : glm::vec3(sample[1], sample[2], sample[3])});
                     }
                 }
             }

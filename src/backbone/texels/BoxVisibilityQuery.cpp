@@ -27,7 +27,8 @@ bool hostCountsSamples(const gl::Functions& gl) {
 } // namespace
 
 Result<BoxVisibilityQuery> BoxVisibilityQuery::create(const BackboneContext& context) {
-    auto shader = buildShader(context.gl, "cubemap/sees_box.vert", "cubemap/sees_box.frag");
+    auto shader =
+        buildShader(context.gl, "cubemap/box_visibility.vert", "cubemap/box_visibility.frag");
     if (!shader) {
         return shader.status();
     }

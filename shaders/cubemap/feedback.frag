@@ -29,7 +29,7 @@ void main() {
     Projected best = nothingProjected();
     projectAll(0, uCubes, eyeTo, normal, resolution, longest, best);
     refine(eyeTo, normal, resolution, longest, best);
-    int cube = best.quality > 0.0 ? best.cube : best.guess < 0 ? kCubeMask : best.guess;
+    int cube = best.quality > 0.0 ? best.cube : best.fallbackCube < 0 ? kCubeMask : best.fallbackCube;
     float footprint = intBitsToFloat((floatBitsToInt(pixelFootprint(surface.t)) & ~kCubeMask) | cube);
     outSample = vec4(eyeTo, best.weights > 0.0 ? footprint : -footprint);
 }

@@ -1,6 +1,6 @@
 #version 330 core
 #extension GL_ARB_texture_gather : enable
-// Finds the pixels whose visibility the cube maps do not quite tell: the host's depth there, and
+// Finds the pixels for whose visibility the cube maps have low confidence: the host's depth there, and
 // -1 elsewhere. Where the host has samples (AO_SAMPLES), also where in the pixel its surface is seen, and
 // the depth there: the surface of a pixel that shows several need not go on to the pixel's centre.
 #include "frame/host_surface.glsl"
@@ -46,7 +46,7 @@ void main() {
     projectAll(0, uCubes, eyeTo, normal, resolution, longest, best);
     refine(eyeTo, normal, resolution, longest, best);
     float d = rawDepth(pixel);
-    if (best.doubt || isAlone(pixel, ivec2(1, 0), d, surface.t) ||
+    if (best.lowConfidence || isAlone(pixel, ivec2(1, 0), d, surface.t) ||
         isAlone(pixel, ivec2(0, 1), d, surface.t)) {
         writeDoubt(pixel, d);
     }

@@ -1,6 +1,6 @@
 #version 330 core
 #extension GL_ARB_derivative_control : enable
-// Shades the pixels whose surface no cube map knows by what is in sight about them, a height field as
+// Screen-space AO for pixels that no cube map covers: what the host drew about them is a height field as
 // thick as a constant. Half slices about the direction towards the viewer step over the picture; what
 // they meet blocks sectors of the half slice. The four pixels of a quad take others each and share what
 // they find (McGuire, Mara and Luebke 2012, "Scalable Ambient Obscurance"): as smooth as four times as many.
@@ -87,9 +87,9 @@ float blockedAlong(HostSurface surface, Side side, vec2 from, vec2 direction, fl
     return blocked;
 }
 
-// @param asked  else nothing but the least of work: a software rasteriser runs it for pixels that need none
+// @param needed else nothing but the least of work: a software rasteriser runs it for pixels that need none
 // @param turn   of the half slices, as a share of the angle between two
-float visibilityInSight(HostSurface surface, vec2 from, bool asked, float turn, float first) {
+float screenSpaceVisibility(HostSurface surface, vec2 from, bool needed, float turn, float first) {
     vec3 viewer = towardsViewer(surface.eye);
     vec3 right = normalize(vec3(viewer.z, 0.0, -viewer.x));
     vec3 up = cross(viewer, right);
@@ -106,12 +106,12 @@ float visibilityInSight(HostSurface surface, vec2 from, bool asked, float turn, 
         Side side = Side(viewer, tangent, gamma, sliceIntegral(gamma + 0.5 * kPi, gamma));
         float weight = length(projected) * side.span;
         vec2 direction = normalize(windowPosition(surface.eye + kAhead * footprint * tangent) - from);
-        float pixels = asked ? min(occluderReach(uFalloff, uRadius) / footprint, toBorder(from, direction)) : 0.0;
+        float pixels = needed ? min(occluderReach(uFalloff, uRadius) / footprint, toBorder(from, direction)) : 0.0;
         if (weight > 1.0e-5) {
             float blocked = blockedAlong(surface, side, from, direction, pixels, first);
             sum += weight * vec2(blocked, 1.0);
         }
-    } while (asked && ++i < uSides);
+    } while (needed && ++i < uSides);
     return sum.y > 0.0 ? clamp(1.0 - sum.x / sum.y, 0.0, 1.0) : 1.0;
 }
 
@@ -143,12 +143,12 @@ void main() {
     HostSurface surface;
     bool drawn = hostSurface(pixel, surface);
     bool wanted = drawn && !(uUseMask && texelFetch(uMask, pixel, 0).a > 0.0);
-    bool asked = drawn && anyOfQuad(wanted);
+    bool needed = drawn && anyOfQuad(wanted);
     ivec2 odd = pixel & 1;
-    float w = visibilityInSight(surface, vec2(pixel) + 0.5, asked,
+    float w = screenSpaceVisibility(surface, vec2(pixel) + 0.5, needed,
                                 0.25 * float(odd.x + 2 * odd.y) + 0.125,
                                 1.0 - 0.25 * float((odd.x ^ odd.y) + 2 * odd.x));
-    float missing = asked ? 0.0 : 1.0;
+    float missing = needed ? 0.0 : 1.0;
     vec2 side = vec2(odd) - 0.5;
     w = meanWith(w, ACROSS(w), ACROSS(surface.eye), ACROSS(missing), surface, side.x);
     w = meanWith(w, UP(w), UP(surface.eye), UP(missing), surface, side.y);

@@ -78,7 +78,7 @@ BackboneCubemapped::create(const BackboneContext& context) {
     return std::unique_ptr<AbstractBackbone>(std::move(backbone));
 }
 
-// ---- Cube maps by hand --------------------------------------------------------------------------
+// ---- Cube maps ---------------------------------------------------------------------------------
 
 Result<CubeMapId> BackboneCubemapped::addCubeMap(const glm::vec3& position) {
     if (context_.scene.empty()) {

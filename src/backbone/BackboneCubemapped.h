@@ -27,9 +27,9 @@ struct CubeMapPasses {
 };
 
 /// Ambient occlusion computed once per cube map, kept, and projected onto every later frame: the
-/// thesis's strategy. Cube maps are placed by hand or by coverage; those that see a change of the
-/// scene are computed again. With a frame budget that goes on over many frames, and only for what
-/// the views show.
+/// thesis's strategy. The host places cube maps (these are pinned), or coverage does; those that
+/// see a change of the scene are computed again. With a frame budget they are computed over many
+/// frames, and only where views show them.
 class BackboneCubemapped final : public AbstractBackbone {
 public:
     /// Errors: ShaderError, OutOfMemory.
@@ -45,7 +45,7 @@ public:
     // ---- Cube maps. Errors: as the calls of AmbientOcclusion.
 
     Result<CubeMapId> addCubeMap(const glm::vec3& position);
-    /// Places cube maps, unless some stand there already; those placed by hand are to be computed.
+    /// Places pinned cube maps, unless some stand there already; all pinned ones will be computed.
     AoStatus beginPreparing(std::span<const glm::vec3> positions);
     /// Computes them for about as long. @return share that is computed; 1 when all are complete
     Result<float> goOnPreparing(double milliseconds);
@@ -71,7 +71,7 @@ private:
     void applyFeedback(CubemappedView& view);
     /// Evicts cube maps where memory is short, and places one where coverage falls short.
     AoStatus placeCubeMap(const FrameContext& context, CubemappedView& view);
-    /// Computes what the view's cube maps lack, within the budget.
+    /// Computes what is pending of the view's cube maps, within the budget.
     AoStatus computeTexels(CubemappedView& view);
     /// Computes pixels of a view at rest whose cube maps are complete.
     AoStatus refineStaticView(const FrameContext& context, CubemappedView& view);
@@ -92,15 +92,15 @@ private:
     Result<CubeMapId> place(const glm::vec3& position, bool pinned);
     /// The cube maps of a view and, after them, those of other views that are drawn.
     std::vector<CubeMapProjector*> wanted(const CubemappedView& view) const;
-    /// Whether a view's cube maps are complete, as far as it asks for them.
+    /// Whether a view's cube maps are complete, as far as it requests them.
     bool complete(const CubemappedView& view) const;
     /// Share of the passes that cube maps need and have had.
     float shareComputed(const std::vector<CubeMapProjector*>& projectors) const;
-    /// Position of the cube map that a view lacks, world units; none where it lacks none.
+    /// Position of the cube map that a view needs, world units; none where it needs none.
     std::optional<glm::vec3> positionWhereDue(const FrameContext& context,
                                               const CubemappedView& view) const;
     std::vector<CubeMapProjector*> placedByHand() const;
-    /// Places the one that prepare() asks for. @return null where one stands already
+    /// Places one of prepare(). @return null where one stands already
     Result<CubeMapProjector*> placeToPrepare(const glm::vec3& position);
     ProjectedCubeMaps projected(const CubemappedView& view) const;
     CubemappedView& currentView() const { return static_cast<CubemappedView&>(view()); }

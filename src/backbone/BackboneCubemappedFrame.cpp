@@ -201,7 +201,7 @@ AoStatus BackboneCubemapped::refineStaticView(const FrameContext& context, Cubem
     }
     const bool before = std::exchange(view.isConverged, view.texelsComplete && view.refiner.done());
     if (view.isConverged && !needsTexture(view)) {
-        view.pictures.masked = {};
+        view.pictures.visibility = {};
     }
     view.convergedIn = view.isConverged && !before ? frameNumber() : view.convergedIn;
     view.noteComputed(view.hasFeedback() || schedule_.atOnce() ? shareComputed(view.used) : 0.0F);
@@ -223,15 +223,15 @@ AoStatus BackboneCubemapped::drawVisibility(const FrameContext& context, Cubemap
                    ? AoStatus()
                    : cubeMapPasses_.projection.shade(context, projected(view), view.pictures);
     }
-    const auto masked = cubeMapPasses_.projection.tell(context, projected(view), view.pictures,
-                                                       needsFallback(view));
-    if (!masked) {
-        return masked.status();
+    const auto visibility = cubeMapPasses_.projection.projectToTexture(
+        context, projected(view), view.pictures, needsFallback(view));
+    if (!visibility) {
+        return visibility.status();
     }
     if (needsFallback(view)) {
-        cubeMapPasses_.fallback.fillTexture(context, **masked);
+        cubeMapPasses_.fallback.fillTexture(context, **visibility);
     }
-    return passes_.composite.blend(context, **masked);
+    return passes_.composite.blend(context, **visibility);
 }
 
 AoStatus BackboneCubemapped::computeVisibility(const FrameContext& context) {

@@ -22,9 +22,9 @@ public:
                       const std::vector<Scene::Change>& changes, float reach);
     bool atOnce() const { return context_.options.frameBudget <= 0.0F; }
     void beginFrame() { begun_ = 0; }
-    /// Computes what cube maps lack, the first ones first: all of it, or as much as the budget
-    /// allows. Complete ones fade in over a few frames.
-    /// Errors: as TexelSources::choose(), and those of the source.
+    /// Computes what is pending of cube maps, the first ones first: all of it, or as much as the
+    /// budget allows. Complete ones fade in over a few frames. Errors: as TexelSources::choose(),
+    /// and those of the source.
     AoStatus compute(const std::vector<CubeMapProjector*>& projectors, FrameBudget& budget);
     /// Computes cube maps, whole, whatever the frame budget, for about as long. Complete ones need
     /// not fade in. @return whether all are complete

@@ -11,8 +11,8 @@
 
 namespace aolib {
 
-/// What one view sees of the cube maps, which all views share: what it has asked them for, what it
-/// lacks, and what was computed for its own pixels.
+/// What one view has of the cube maps, which all views share: the tiles that it requests, the
+/// coverage that it is missing, and the pixels that were refined for it.
 struct CubemappedView final : ViewState {
     explicit CubemappedView(unsigned number) : slot(number) {}
 
@@ -25,7 +25,7 @@ struct CubemappedView final : ViewState {
     void cubeMapsChanged();
     /// Cube maps are computed anew, as they stand.
     void cubeMapsBegun();
-    /// What is asked about the scene has changed.
+    /// Restarts its refinement: the estimate has changed.
     void restart();
     /// The scene has changed.
     /// @param reach   of occluders, world units; may be infinite
@@ -55,7 +55,7 @@ struct CubemappedView final : ViewState {
     PendingFeedback pendingFeedback;
     FeedbackResult feedback;        ///< the latest that has arrived; frame 0 before the first
     bool feedbackIsCurrent = false; ///< no cube map has come or gone since
-    /// Share of the surfaces that are shaded, or may be by what is on its way.
+    /// Share of the surfaces that are shaded, or may be once pending tiles are computed.
     std::optional<float> predictedCoverage;
     std::optional<glm::vec3> missing; ///< a surface that is not, world units
 
@@ -65,7 +65,7 @@ struct CubemappedView final : ViewState {
     std::optional<Viewpoint> shows;           ///< what the latest frame showed
     std::uint64_t frames = 0;                 ///< of this view, ended
     std::uint64_t restsSince = 0;             ///< number of the first frame that showed the same
-    bool texelsComplete = false;   ///< of the cube maps in use, as far as the view asks for them
+    bool texelsComplete = false;   ///< of the cube maps in use, as far as the view requests them
     bool isConverged = false;      ///< and nothing is left to refine
     std::uint64_t convergedIn = 0; ///< number of the frame in which that came true
     float computed = 0.0F;         ///< largest share since the view, scene or options changed

@@ -14,7 +14,7 @@
 namespace aolib {
 
 /// Makes what computes texels and pixels: the source and the refiners that the row of the options'
-/// estimator names (Estimators.h). All else knows them by their interfaces.
+/// estimator names (Estimators.h). All else uses their interfaces.
 class TexelSources {
 public:
     /// @param geometry, atlas  outlive it.

@@ -15,7 +15,7 @@ namespace aolib {
 /// The views of an instance: which one a frame belongs to, and which are given up. No GL but what
 /// the states hold.
 ///
-/// Where a host draws several views by one id, the table tells them apart by their cameras once
+/// Where a host draws several views by one id, the table distinguishes them by their cameras once
 /// they rest: of cameras at several places that take turns each is a view of its own.
 class ViewTable {
 public:

@@ -59,7 +59,7 @@ public:
     /// Whether all of it is to be computed anew.
     bool mustBegin() const { return state_ == State::Queued || state_ == State::Stale; }
     /// Added to log2 of its quality: 0, or less while it fades, so that it shades only what no
-    /// other cube map knows.
+    /// other cube map covers.
     float fade() const { return fade_; }
     bool isFadedOut() const;
 

@@ -37,9 +37,9 @@ public:
     Result<CubeMapProjector*> add(const glm::vec3& position, bool pinned);
     void remove(CubeMapProjector& projector);
 
-    /// Makes room for one more. Errors: OutOfMemory (those placed by hand take all of it).
+    /// Makes room for one more. Errors: OutOfMemory (pinned ones take all of it).
     AoStatus makeRoomAtOnce();
-    /// Makes room within some frames: what is in view fades out before it goes.
+    /// Makes room within some frames: what is in view fades out before it is evicted.
     /// @param used    by the frame.
     /// @param atOnce  nothing fades.
     /// @return whether there is room now.

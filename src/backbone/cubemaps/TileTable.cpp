@@ -9,7 +9,7 @@ namespace aolib {
 
 namespace {
 
-/// A point this near to a tile's border asks for the neighbour too, texels: views are sampled
+/// A point this near to a tile's border requests the neighbour too, texels: views are sampled
 /// sparsely, and lookups are bilinear.
 constexpr float kNear = 8.0F;
 

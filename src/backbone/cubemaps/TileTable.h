@@ -72,7 +72,7 @@ public:
     bool hasPending(int passes) const;
     /// Whether some of these was never restarted by a change of the scene.
     bool hasPendingUndisturbed(int passes) const;
-    /// Whether some tile of a set has had fewer passes than this, or lacks some of its pages.
+    /// Whether some tile of a set has had fewer passes than this, or is without some of its pages.
     bool hasPendingIn(const TileSet& tiles, int passes) const;
     /// The requested tiles that have had the fewest passes, below `most`.
     std::vector<int> mostUrgent(int most) const;

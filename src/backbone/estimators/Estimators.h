@@ -19,7 +19,7 @@ enum class PageKind : std::uint8_t {
 /// What computes pixels of views at rest.
 enum class RefinerKind : std::uint8_t { None, RayTraced, Layered };
 
-/// All that the rooms need to know of an estimator: its row in the table of Estimators.cpp.
+/// All that the rooms read of an estimator: its row in the table of Estimators.cpp.
 struct EstimatorTraits {
     Estimator estimator;
     /// NAME in the paths of its shaders, cubemap/visibility_NAME.frag and

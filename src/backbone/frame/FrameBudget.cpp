@@ -91,7 +91,7 @@ int FrameBudget::room(WorkUnit kind) {
         return least;
     }
     const double fits = std::min(left / std::max(of.perUnit(), 1e-6), double{kMostUnits});
-    if (timedAtOnce) { // half of them, then it asks again: units of a kind differ
+    if (timedAtOnce) { // half of them, then again: units of a kind differ
         const int half = static_cast<int>(std::ceil(0.5 * std::floor(fits)));
         return std::max(std::min(half, of.trusted), least);
     }

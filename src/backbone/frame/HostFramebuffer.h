@@ -13,8 +13,8 @@ namespace aolib {
 /// its own targets stay as they are.
 class HostFramebuffer {
 public:
-    /// Copies the viewport's part of the depth buffer, its samples too, and tells its precision.
-    /// Errors: InvalidFramebuffer, OutOfMemory, MissingCapability, ShaderError.
+    /// Copies the viewport's part of the depth buffer, its samples too, and sets the frame's
+    /// precision. Errors: InvalidFramebuffer, OutOfMemory, MissingCapability, ShaderError.
     AoStatus acquire(const BackboneContext& context, Frame& frame);
     /// One depth per pixel.
     void bindDepth(int unit) const {

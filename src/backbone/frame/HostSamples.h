@@ -15,8 +15,8 @@
 
 namespace aolib {
 
-/// The samples of a multisampled host's depth: one depth per pixel of them for the passes that know
-/// of no samples, and which pixels show several surfaces.
+/// The samples of a multisampled host's depth: one depth per pixel of them for the passes that read
+/// no samples, and which pixels show several surfaces.
 class HostSamples {
 public:
     /// Texture unit of the samples themselves; no pass binds anything else to it.

@@ -21,7 +21,7 @@ Result<bool> runWithinBudget(FrameBudget& budget, AbstractJob& job) {
 }
 
 AoStatus runToEnd(AbstractJob& job) {
-    constexpr double kPatience = 1000.0; // milliseconds, then it asks again
+    constexpr double kPatience = 1000.0; // milliseconds
     while (job.next()) {
         if (!job.isReady()) {
             job.await(kPatience);

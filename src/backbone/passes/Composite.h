@@ -46,7 +46,8 @@ private:
     std::optional<gl::GLSLShader> blendSamples_; ///< ... those; built for the first such host
 };
 
-/// Directs rendering to the host's colour buffer 0 and its viewport, everything else masked off.
+/// Directs rendering to the host's colour buffer 0 and its viewport, everything else visibility
+/// off.
 void beginHostColours(const FrameContext& context);
 /// Multiplies what is drawn into the host's colours, from here to endBlend().
 void beginBlend(const BackboneContext& context);

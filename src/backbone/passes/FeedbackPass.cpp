@@ -14,7 +14,7 @@ namespace aolib {
 
 namespace {
 
-/// The number of a point's cube map, which the lowest bits of a footprint tell
+/// The number of a point's cube map, which the lowest bits of a footprint hold
 /// (shaders/cubemap/feedback.frag).
 std::size_t cubeMapOf(float footprint) {
     return std::bit_cast<std::uint32_t>(footprint) & 63U;

@@ -20,8 +20,8 @@ struct FeedbackResult {
     std::vector<glm::vec3> points; ///< of the surfaces, relative to the eye, world axes
     std::vector<bool> shades;      ///< by point: whether a cube map does
     std::vector<float> footprints; ///< what a pixel covers there, square on, world units
-    /// By point: the cube map that might know the surface, but for another before it; 0 where
-    /// some cube map knows it or none looks that way.
+    /// By point: the cube map that looks its way, but sees another surface before it; 0 where
+    /// some cube map covers it or none looks that way.
     std::vector<CubeMapId> hiddenFrom;
     /// Share of the surfaces that a cube map shades, as the best of all; none for those that
     /// are best nowhere.
@@ -58,14 +58,14 @@ public:
     /// Errors: ShaderError, OutOfMemory.
     static Result<FeedbackPass> create(const BackboneContext& context);
 
-    /// Starts sampling a frame of a view, unless all its readbacks are still on their way.
+    /// Starts sampling a frame of a view, unless all its readbacks are pending.
     /// Errors: OutOfMemory.
     AoStatus issue(const FrameContext& context, const ProjectedCubeMaps& cubeMaps,
                    std::uint64_t frameNumber, PendingFeedback& into);
 
 private:
     static constexpr int kSize = 128;       ///< samples along the small target's edge
-    static constexpr std::size_t kMost = 3; ///< on their way for a view
+    static constexpr std::size_t kMost = 3; ///< pending for a view
 
     AoStatus makeReadbacks(const BackboneContext& context, PendingFeedback& of) const;
 

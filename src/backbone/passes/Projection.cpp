@@ -31,7 +31,7 @@ int pairOfLayers(const CubeMapProjector& projector, int face) {
     return static_cast<int>(bits(face) | bits(face + 1) << 16U);
 }
 
-/// Distance up to which texels must know a surface, world units: coarser ones do not.
+/// Length up to which a texel on a surface may project onto it, world units.
 float reachOfTexels(const Options& options) {
     return options.falloff == Falloff::Off ? shared::kEndless : options.radius;
 }
@@ -159,16 +159,17 @@ AoStatus Projection::shade(const FrameContext& context, const ProjectedCubeMaps&
     return {};
 }
 
-Result<const gl::RenderToTexture2D*> Projection::tell(const FrameContext& context,
-                                                      const ProjectedCubeMaps& cubeMaps,
-                                                      ProjectedPictures& pictures, bool withDepth) {
+Result<const gl::RenderToTexture2D*> Projection::projectToTexture(const FrameContext& context,
+                                                                  const ProjectedCubeMaps& cubeMaps,
+                                                                  ProjectedPictures& pictures,
+                                                                  bool withDepth) {
     const gl::DebugGroup group(context.gl, "aolib: project");
-    if (AoStatus status =
-            pictures.masked.become(context.gl, {.width = context.frame.size.x,
-                                                .height = context.frame.size.y,
-                                                .targets = {gl::RenderToTexture2D::Format::R32F},
-                                                .depth = gl::RenderToTexture2D::Depth::Depth16,
-                                                .label = "aolib/frame/masked"});
+    if (AoStatus status = pictures.visibility.become(
+            context.gl, {.width = context.frame.size.x,
+                         .height = context.frame.size.y,
+                         .targets = {gl::RenderToTexture2D::Format::R32F},
+                         .depth = gl::RenderToTexture2D::Depth::Depth16,
+                         .label = "aolib/frame/visibility"});
         !status) {
         return status;
     }
@@ -182,7 +183,7 @@ Result<const gl::RenderToTexture2D*> Projection::tell(const FrameContext& contex
     (*shader)->set("uOrigin", glm::ivec2(0));
     (*shader)->set("uContrast", 1.0F);
     (*shader)->set("uKnownAlone", 1);
-    pictures.masked.begin(0);
+    pictures.visibility.begin(0);
     gl.ClearBufferfv(GL_COLOR, 0, kUnknown);
     if (withDepth) {
         gl.ClearBufferfv(GL_DEPTH, 0, &kFar);
@@ -192,7 +193,7 @@ Result<const gl::RenderToTexture2D*> Projection::tell(const FrameContext& contex
     context.generated.drawFullscreen();
     gl.DepthFunc(GL_LESS);
     gl.Disable(GL_DEPTH_TEST);
-    return &pictures.masked;
+    return &pictures.visibility;
 }
 
 AoStatus Projection::prepare(const BackboneContext& context, const glm::ivec2& size,
@@ -259,7 +260,7 @@ Result<const gl::RenderToTexture2D*> Projection::apply(const FrameContext& conte
 }
 
 std::size_t ProjectedPictures::bytes() const {
-    std::size_t sum = (upsampled ? upsampled.bytes() : 0) + (masked ? masked.bytes() : 0);
+    std::size_t sum = (upsampled ? upsampled.bytes() : 0) + (visibility ? visibility.bytes() : 0);
     for (const gl::RenderToTexture2D& target : best) {
         sum += target ? target.bytes() : 0;
     }

@@ -12,7 +12,7 @@ namespace aolib {
 /// Pictures of the view's size that projections leave.
 struct ProjectedPictures {
     std::array<gl::RenderToTexture2D, 2> best; ///< Projection::apply()'s, to and fro
-    gl::RenderToTexture2D masked;              ///< Projection::tell()'s
+    gl::RenderToTexture2D visibility;          ///< Projection::projectToTexture()'s
     gl::RenderToTexture2D upsampled;           ///< of frames with buffers at half resolution
 
     std::size_t bytes() const;
@@ -43,11 +43,12 @@ public:
                    ProjectedPictures& pictures);
 
     /// W into a target instead, with a depth that fullscreen passes fail by GL_LESS; -1, and no
-    /// such depth, for background and where no cube map knows the surface.
+    /// such depth, for background and where no cube map covers the surface.
     /// @param withDepth  else the depth is left as it is. Errors: OutOfMemory.
-    Result<const gl::RenderToTexture2D*> tell(const FrameContext& context,
-                                              const ProjectedCubeMaps& cubeMaps,
-                                              ProjectedPictures& pictures, bool withDepth);
+    Result<const gl::RenderToTexture2D*> projectToTexture(const FrameContext& context,
+                                                          const ProjectedCubeMaps& cubeMaps,
+                                                          ProjectedPictures& pictures,
+                                                          bool withDepth);
 
     /// The same into a target whose texture 0 holds, per pixel, the weighted sum of W, log2 of
     /// quality, the face's code and the weight; in one pass, or to and fro between two targets.

@@ -55,14 +55,14 @@ void ScreenSpaceFallback::bind(const FrameContext& context) {
 }
 
 void ScreenSpaceFallback::fillTexture(const FrameContext& context,
-                                      const gl::RenderToTexture2D& masked) {
+                                      const gl::RenderToTexture2D& visibility) {
     const gl::Functions& gl = context.gl;
     const gl::DebugGroup group(gl, "aolib: shade what no cube map knows");
     bind(context);
     visibility_.set("uMask", kFallbackDepthUnit); // not read
     visibility_.set("uUseMask", 0);
-    masked.begin(0);
-    gl.Enable(GL_DEPTH_TEST); // known pixels fail it: a software rasteriser, too, spares them all
+    visibility.begin(0);
+    gl.Enable(GL_DEPTH_TEST); // covered pixels fail it: a software rasteriser, too, skips them
     context.generated.drawFullscreen();
     gl.Disable(GL_DEPTH_TEST);
 }

@@ -5,7 +5,7 @@
 
 namespace aolib {
 
-/// Shades what no cube map knows by what is in viewpoint
+/// Screen-space AO for pixels that no cube map covers
 /// (shaders/cubemap/screen_space_fallback.frag): far from the truth, but nearer than white. It
 /// costs by the pixels that it shades.
 class ScreenSpaceFallback {
@@ -18,9 +18,9 @@ public:
     /// @param atOnce  cube maps are computed at once, however long that takes
     static bool due(const BackboneContext& context, float shaded, bool atOnce);
 
-    /// Writes W of what no cube map knows.
-    /// @param masked    as Projection::tell() gives it
-    void fillTexture(const FrameContext& context, const gl::RenderToTexture2D& masked);
+    /// Writes W of the pixels that no cube map covers.
+    /// @param visibility    of Projection::projectToTexture()
+    void fillTexture(const FrameContext& context, const gl::RenderToTexture2D& visibility);
     /// The same into a target as Blur::apply() leaves it, as unshaded as they are.
     /// @param projected  as Projection::apply() gives it
     void fill(const FrameContext& context, const gl::RenderToTexture2D& projected,

@@ -13,7 +13,7 @@
 
 namespace aolib {
 
-/// Traces those pixels that no texel quite tells, as at edges finer than any texel, along their own
+/// Traces the pixels of low confidence, as at edges finer than any texel, along their own
 /// lines of viewpoint.
 class RayTracedRefiner final : public AbstractPixelRefiner {
 public:

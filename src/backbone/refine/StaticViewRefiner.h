@@ -15,7 +15,7 @@
 namespace aolib {
 
 /// The last step of a picture, for a view at rest whose cube maps are complete: its pixels are
-/// computed themselves, where texels are too coarse to tell. It lasts until the view moves, and
+/// computed themselves, where texels are too coarse. It lasts until the view moves, and
 /// holds for a pixel as long as the host draws the same depth there.
 class StaticViewRefiner {
 public:

@@ -4,8 +4,8 @@
 
 namespace aolib {
 
-/// Asks the GPU whether a cube map sees anything of a region: whether the region's box lies before
-/// the distances that the cube map keeps.
+/// Queries the GPU whether a cube map sees anything of a region: whether the region's box lies
+/// before the distances that the cube map keeps.
 class BoxVisibilityQuery {
 public:
     /// Errors: ShaderError.

@@ -10,7 +10,7 @@
 
 namespace aolib {
 
-/// A captured cube map on its way: what its estimator reads, and what it has found so far. Lives
+/// A cube map that is computed: the capture that its estimator reads, and the sums so far. Lives
 /// only as long as there is something to compute.
 struct CubeMapCapture {
     std::unique_ptr<AbstractCapture> geometry;

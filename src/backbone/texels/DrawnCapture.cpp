@@ -18,7 +18,7 @@ namespace {
 
 using Format = gl::RenderToTexture2D::Format;
 
-/// Nearest distance of a capture as a share of the farthest: nobody says how near geometry is.
+/// Nearest distance of a capture as a share of the farthest: how near geometry is, is unknown.
 constexpr float kNearest = 1e-3F;
 /// Step of a depth buffer of 32-bit floating point near its far end.
 constexpr double kDepthQuantum = 1.0 / 16777216.0;

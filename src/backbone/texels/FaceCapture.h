@@ -43,7 +43,7 @@ struct ViewFace {
 
 /// Draws the scene as it was at the beginning, seen from a point, with the shader that is bound.
 /// The near plane lies just within the distance to the nearest triangle: none is clipped, and the
-/// depth buffer's precision goes where geometry is.
+/// depth buffer's precision is spent where geometry is.
 class FaceCapture {
 public:
     /// @param size  texels along a face's edge

@@ -16,8 +16,8 @@ namespace {
 using Format = gl::RenderToTexture2D::Format;
 using Depth = gl::RenderToTexture2D::Depth;
 
-/// A sheet shows one side when the other fills at most this share of its texels: cracks let a back
-/// through here and there.
+/// An open mesh shows one side when the other fills at most this share of its texels: cracks let a
+/// back through here and there.
 constexpr double kShareOfCracks = 0.02;
 constexpr int kViewUnit = 3; ///< texture unit of the view's layers
 
@@ -152,7 +152,8 @@ AoStatus LayerCapture::makeTargets(Targets& made, const glm::ivec2& size, std::s
     return status;
 }
 
-// ---- Which faces hold geometry, and the sheets of which not only the fronts show ----------------
+// ---- Which faces hold geometry, and the open meshes that do not only show fronts
+// -----------------
 
 void LayerCapture::drawSides() {
     const gl::RenderToTexture2D& sides = targets().exits;

@@ -37,7 +37,7 @@ public:
 
 private:
     enum class Stage { Targets, Sides, ReadSides, Count, ReadCounts, Layers, Peel, Complete };
-    /// How many texels show a sheet's front and its back.
+    /// How many texels show the front and the back of an open mesh.
     struct Sides {
         std::size_t front = 0;
         std::size_t back = 0;
@@ -83,7 +83,7 @@ private:
     int layer_ = 0;
     bool entered_ = false; ///< the layer's entries are peeled, its exits are not
     std::optional<std::array<Targets, 2>> targets_;
-    std::map<int, Sides> seen_; ///< of each sheet
+    std::map<int, Sides> seen_; ///< of each open mesh
     LayerPeeling::Marks marks_;
     std::array<int, kAll> counts_{}; ///< intervals along a ray, at most; 0 without geometry
     /// Entry (-1 none), exit, octahedral normal: each face's, and the view's.

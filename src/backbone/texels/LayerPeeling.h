@@ -12,7 +12,7 @@ namespace aolib {
 ///
 /// Open meshes are mostly seen from one side only, as walls and hulls are: then what lies behind
 /// that side, up to the next surface, is out of viewpoint, and taking it as solid is right wherever
-/// a ray comes from. The sheets of a mesh that show both sides (leaves, cloth) stay without
+/// a ray comes from. Open meshes that show both sides (leaves, cloth) stay without
 /// thickness.
 class LayerPeeling {
 public:
@@ -21,10 +21,11 @@ public:
     /// Sheets that are no lids, as shaders/cubemap/peel.vert has room for.
     static constexpr std::size_t kMostUnusual = 128;
 
-    /// What the passes must know of the whole scene.
+    /// What the passes read of the whole scene.
     struct Marks {
-        std::vector<float> around;  ///< solids that contain the cube's centre
-        std::vector<float> unusual; ///< sheets that are no lids; negative where only backs show
+        std::vector<float> around; ///< solids that contain the cube's centre
+        std::vector<float>
+            unusual; ///< open meshes that are no one-sided shells; negative where only backs show
     };
 
     /// Errors: ShaderError.

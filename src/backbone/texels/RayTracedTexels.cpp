@@ -72,7 +72,7 @@ void RayTracedTexels::restart(CubeMapProjector& projector) {
 
 RayTracedTexels::Work& RayTracedTexels::workOf(const CubeMapProjector& projector) {
     const auto [found, isNew] = works_.try_emplace(projector.id());
-    if (isNew) { // what was asked for before may be traced in an older scene
+    if (isNew) { // earlier requests may be traced in an older scene
         found->second.shown.assign(static_cast<std::size_t>(projector.tiles().count()),
                                    {.scene = 0, .changedIn = queue_.scene(), .seen = {}});
     }
@@ -138,7 +138,7 @@ RayTracedTexels::Lists RayTracedTexels::lists() {
         };
         return rank(a) < rank(b);
     });
-    // Among equals, what the whole view lacks before what its edges lack.
+    // Among equals, tiles of the whole view before pages, which are its edges'.
     std::stable_sort(lists.refined.begin(), lists.refined.end(),
                      [](const Wanted& a, const Wanted& b) {
                          return std::pair(a.passes, a.detail) < std::pair(b.passes, b.detail);

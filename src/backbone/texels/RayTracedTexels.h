@@ -58,7 +58,7 @@ private:
         std::vector<Shown> shown; ///< by tile
         bool spans = false;       ///< the projector's code spans the scene as it is
     };
-    /// A tile, or its detail, that lacks a pass.
+    /// A tile, or its page, with a pending pass.
     struct Wanted {
         CubeMapProjector* projector;
         int tile;
@@ -73,7 +73,8 @@ private:
 
     Work& workOf(const CubeMapProjector& projector);
     const Shown& shown(const CubeMapProjector& projector, int tile);
-    /// Requests the next pass of every tile that lacks one, the poorest first.
+    /// Requests the next pass of every tile that is not complete, those with the fewest passes
+    /// first.
     void request();
     Lists lists();
     TexelRequest requestFor(const Wanted& wanted) const;

@@ -10,8 +10,8 @@
 
 namespace aolib {
 
-/// What several have asked a tracer for and not yet got, and an order that serves all of them
-/// alike: whoever has had the fewest rays is next. No GL.
+/// What several clients have requested of a tracer and not yet got, in an order that serves all of
+/// them alike: whoever has had the fewest rays is next. No GL.
 class RequestMix {
 public:
     using Client = unsigned;

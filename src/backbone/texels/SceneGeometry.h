@@ -20,7 +20,7 @@ public:
         gl::VertexArray triangles;
         std::optional<Solids> solids; ///< found when an estimator needs them
     };
-    /// A mesh as it stood when it was asked for.
+    /// A mesh as it stood when instances() was called.
     struct Instance {
         std::shared_ptr<const Piece> piece;
         glm::mat4 transform;
@@ -30,7 +30,7 @@ public:
     using Instances = std::vector<Instance>;
 
     /// Uploads what is new or changed, drops what is gone.
-    /// @param solids  whether the pieces must tell solids from sheets. Errors: OutOfMemory.
+    /// @param solids  whether solids are distinguished from open meshes. Errors: OutOfMemory.
     AoStatus update(const gl::Functions& gl, const Scene& scene,
                     const std::vector<Scene::Change>& changes, bool solids);
     /// Drops what changed, without uploading anything.

@@ -12,7 +12,7 @@ namespace aolib {
 /// GL.
 class TileTurns {
 public:
-    /// A tile that lacks a pass.
+    /// A tile with a pending pass.
     struct Tile {
         std::uint64_t key;
         double rays; ///< of the pass

@@ -36,7 +36,7 @@ Client clientOf(std::uint64_t key) {
 
 void TracerQueue::setScene(const Scene& scene) {
     if (!tracer_.status()) {
-        waiting_.clear(); // what failed has dropped all that was asked for
+        waiting_.clear(); // a tracer that failed has dropped all requests
     }
     TriangleMesh all = worldTriangles(scene);
     scene_ =

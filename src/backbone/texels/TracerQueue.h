@@ -13,7 +13,7 @@
 
 namespace aolib {
 
-/// The host's tracer, shared by those who want rays: what one asks for takes its turns with what
+/// The host's tracer, shared by its clients: what one requests takes its turns with what
 /// the others wait for.
 class TracerQueue {
 public:
@@ -21,7 +21,7 @@ public:
         Texels, ///< of cube maps
         Pixels, ///< of the view at rest in slot 0; those of the other slots follow
     };
-    /// FreeList that pixelsOf() tells apart.
+    /// Slots that pixelsOf() distinguishes.
     static constexpr unsigned kSlots = 64;
     static Client pixelsOf(unsigned slot) { return static_cast<Client>(1U + slot % kSlots); }
 
@@ -44,7 +44,7 @@ public:
     std::size_t pending(Client client) const;
     bool wait(double milliseconds) { return tracer_.wait(milliseconds); }
     AoStatus status() const { return tracer_.status(); }
-    /// A number that no one who asks for pixels has had before.
+    /// A number that no client has had before.
     std::uint32_t nextGeneration() { return ++generations_; }
 
 private:

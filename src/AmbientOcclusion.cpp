@@ -4,6 +4,7 @@
 
 #include "AmbientOcclusionImpl.h"
 #include "CheckOptions.h"
+#include "FormerNames.h"
 #include "backbone/MakeBackbone.h"
 
 namespace aolib {
@@ -327,6 +328,7 @@ Statistics AmbientOcclusion::statistics() const {
     const gl::ContextScope scope(impl_->contexts); // elsewhere, times stay as they were
     Statistics statistics = impl_->backbone->statistics();
     statistics.estimator = impl_->effective.get().estimator;
+    setFormerNames(statistics);
     return statistics;
 }
 
@@ -334,6 +336,7 @@ Statistics AmbientOcclusion::statistics(ViewId id) const {
     const gl::ContextScope scope(impl_->contexts);
     Statistics statistics = impl_->backbone->statistics(id);
     statistics.estimator = impl_->effective.get().estimator;
+    setFormerNames(statistics);
     return statistics;
 }
 

@@ -1,5 +1,6 @@
 #include "EffectiveOptions.h"
 
+#include "FormerNames.h"
 #include "backbone/estimators/Estimators.h"
 
 namespace aolib {
@@ -17,6 +18,7 @@ constexpr float kRadiusOfNothing = 1.0F;
 
 void EffectiveOptions::resolve(const Options& options, const Scene& scene, bool tracer) {
     options_ = options;
+    applyFormerNames(options_.cubeMaps);
     options_.estimator = chosenEstimator(options, scene, tracer);
     if (options.radius <= 0.0F) {
         options_.radius = derivedRadius(scene);

@@ -87,11 +87,10 @@ void visitOptions(OptionsType& o, Visitor&& visit) {
           "how cube maps reach the picture");
     visit("memory-budget", o.cubeMaps.memoryBudget, OptionRange{0.0, 1048576.0},
           "MiB of GPU memory that cube maps may keep; 0 = no limit");
-    visit("fallback", o.cubeMaps.fallback,
-          "shade what no cube map knows by what is in sight, as screen space does");
-    visit("repair", o.cubeMaps.repair,
-          "while the view rests, also compute its pixels by themselves: ray-traced, "
-          "layered-intervals");
+    visit("screen-space-fallback", o.cubeMaps.screenSpaceFallback,
+          "use screen-space AO for pixels that no cube map covers");
+    visit("refine-static-views", o.cubeMaps.refineStaticViews,
+          "while a view is static, also compute its pixels: ray-traced, layered-intervals");
     visit("half-resolution", o.cubeMaps.halfResolution,
           "project onto a quarter of the pixels, and take that to the others by their depths");
     visit("outlines", o.cubeMaps.outlines, "draw a wire cube where each cube map stands");

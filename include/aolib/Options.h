@@ -86,17 +86,21 @@ struct CubeMapOptions {
     /// MiB that cube maps may keep on the GPU, room for one at least; 0 = no limit. Those placed by
     /// coverage give way to newer ones, the least useful to recent views first.
     float memoryBudget = 512.0F;
-    /// Shade what no cube map knows yet, or ever, by what is in sight, as screen space does (on a
-    /// software rasteriser once half of the view is known); else it stays unshaded, W = 1.
-    bool fallback = true;
-    /// While the view rests, also compute its pixels by themselves, where texels are too coarse:
-    /// those in doubt are traced where there is a tracer; else layered intervals compute all of a
-    /// perspective view. Horizon split leaves texels as they are.
-    bool repair = true;
+    /// Use screen-space AO for pixels that no cube map covers yet, or ever (on a software
+    /// rasteriser once half of the view is covered). Else they stay unshaded, W = 1.
+    bool screenSpaceFallback = true;
+    /// While a view is static, also compute its pixels by themselves, where texels are too coarse.
+    /// With a tracer, pixels of low confidence are traced; without one, layered intervals compute
+    /// all pixels of a perspective view. Horizon split keeps texels as they are.
+    bool refineStaticViews = true;
     /// Project onto every second pixel of every second row and take that to the others by their
     /// depths: for many cube maps on weak devices. Pixels of a view at rest are whole all the same.
     bool halfResolution = false;
     bool outlines = false; ///< draw a small wire cube where each cube map stands
+
+    /// Former names of refineStaticViews and screenSpaceFallback: false switches them off, too.
+    [[deprecated("use refineStaticViews")]] bool repair = true;
+    [[deprecated("use screenSpaceFallback")]] bool fallback = true;
 };
 
 /// The edge-aware blur of what is noisy: horizon split, and all that is computed in screen space.

@@ -39,7 +39,7 @@ struct Statistics {
     int cubeMapsProjected = 0;         ///< in the latest frame
     int cubeMapsBuilt = 0;             ///< in the latest frame, placed or rebuilt
     std::uint64_t cubeMapsEvicted = 0; ///< so far, to keep the memory budget
-    std::size_t pixelsRepaired = 0;    ///< of a view at rest, computed by themselves
+    std::size_t pixelsRefined = 0;     ///< of a static view, computed by themselves
     /// How much is computed of what the view's cube maps need, 0 to 1, as far as is known: needs
     /// show on the way. 0 until a frame of what the view shows has been looked at, 1 once
     /// `converged` and only then. It only grows while neither the view nor the scene nor the
@@ -56,6 +56,9 @@ struct Statistics {
     std::size_t bytesBuilding = 0; ///< GPU memory held for cube maps on their way; given back
     std::size_t bytesFrame = 0;    ///< GPU memory of the per-frame targets
     std::size_t bytesScene = 0;    ///< GPU memory of the scene's triangles
+
+    /// Former name of pixelsRefined.
+    [[deprecated("use pixelsRefined")]] std::size_t pixelsRepaired = 0;
 };
 
 /// Ambient occlusion of the latest frame, as it was blended: row 0 is the bottom row.

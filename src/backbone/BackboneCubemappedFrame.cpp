@@ -319,7 +319,7 @@ void BackboneCubemapped::addStatistics(Statistics& statistics, const ViewState* 
     statistics.coverageFrame = of.feedback.frame;
     statistics.cubeMapsProjected = static_cast<int>(of.projected.size());
     statistics.converged = of.isConverged;
-    statistics.pixelsRepaired = of.refiner.pixels();
+    statistics.pixelsRefined = of.refiner.pixels();
     statistics.computed = of.computed;
 }
 

@@ -26,7 +26,7 @@ Options FuzzHost::options() {
     o.cubeMaps.place = !one(4);
     o.cubeMaps.projection = static_cast<ProjectionMethod>(below(2));
     o.cubeMaps.memoryBudget = one(4) ? 0.02F : 0.0F;
-    o.cubeMaps.repair = !one(8);
+    o.cubeMaps.refineStaticViews = !one(8);
     o.cubeMaps.outlines = one(8);
     o.blur.size = 1 + 2 * static_cast<int>(below(3));
     o.debugView = one(8) ? static_cast<DebugView>(below(8)) : DebugView::Off;
@@ -112,7 +112,7 @@ void FuzzHost::frame() {
     const Statistics s = ao_->statistics(view);
     require(s.computed >= 0.0F && s.computed <= 1.0F, "shares lie in their range");
     const glm::ivec2 size = kFuzzSizes.at(framebuffer_);
-    require(s.pixelsRepaired <= static_cast<std::size_t>(size.x * size.y),
+    require(s.pixelsRefined <= static_cast<std::size_t>(size.x * size.y),
             "pixels are of the view");
 }
 

@@ -104,7 +104,7 @@ protected:
         Shown shown{.visibility = {},
                     .colours = framebuffer_->readColour()->pixels,
                     .coverage = statistics.coverage,
-                    .repaired = statistics.pixelsRepaired};
+                    .repaired = statistics.pixelsRefined};
         shown.visibility = ao.readVisibility()->visibility;
         return shown;
     }

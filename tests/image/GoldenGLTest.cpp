@@ -30,7 +30,7 @@ protected:
         options.radius = radius;
         options.horizonSplit = {.directions = 16, .steps = 16};
         options.cubeMaps.faceSize = 512;
-        options.cubeMaps.fallback = false;
+        options.cubeMaps.screenSpaceFallback = false;
         RenderedScene scene(gl, loader, buildScene(view), options, kGoldenWidth, kGoldenHeight);
         ASSERT_TRUE(scene.ready());
         const AoStatus status = scene.settle(cameraOf(view));

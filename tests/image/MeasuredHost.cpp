@@ -41,7 +41,7 @@ Options measuredOptions(MeasuredHost::View view) {
     if (view == MeasuredHost::View::AtRest) {
         options.layeredIntervals = {.slices = 4, .steps = 8}; // quicker
     }
-    options.cubeMaps.repair = view == MeasuredHost::View::AtRest;
+    options.cubeMaps.refineStaticViews = view == MeasuredHost::View::AtRest;
     options.frameBudget = 0.0F;
     options.estimator = Estimator::LayeredIntervals;
     options.radius = 1.5F;

@@ -62,18 +62,18 @@ TEST_P(RepairGLTest, AViewAtRestBecomesTheTracedPicture) {
              {Way{0.0F, ProjectionMethod::SinglePass}, Way{20.0F, ProjectionMethod::PingPong}}) {
             options.frameBudget = budget;
             options.cubeMaps.projection = method;
-            options.cubeMaps.repair = false;
+            options.cubeMaps.refineStaticViews = false;
             RenderedScene scene(gl, loader, model, options, kRepairWidth, kRepairHeight);
             ASSERT_TRUE(scene.ready());
             scene.ao().setTexelTracer(std::move(*createTexelTracer(2)));
             ASSERT_NO_FATAL_FAILURE(converge(scene, camera));
-            EXPECT_EQ(scene.ao().statistics().pixelsRepaired, 0U);
+            EXPECT_EQ(scene.ao().statistics().pixelsRefined, 0U);
             const double without = rmse(scene.visibility(), truth);
             const ByteImage plain = scene.composite();
-            options.cubeMaps.repair = true;
+            options.cubeMaps.refineStaticViews = true;
             ASSERT_TRUE(scene.ao().setOptions(options).ok());
             ASSERT_NO_FATAL_FAILURE(converge(scene, camera));
-            EXPECT_GT(scene.ao().statistics().pixelsRepaired, 200U);
+            EXPECT_GT(scene.ao().statistics().pixelsRefined, 200U);
             EXPECT_GT(without, 0.02) << "else there is nothing to repair";
             EXPECT_LT(rmse(scene.visibility(), truth), 0.012) << "from " << without;
             EXPECT_NE(scene.composite().pixels, plain.pixels) << "the host's picture shows it";
@@ -87,12 +87,12 @@ TEST_P(RepairGLTest, WithoutATracerIntervalsAboutTheEyeTellEveryPixel) {
     FloatImage before; // with another budget
     for (const float budget : {20.0F, 0.0F}) {
         options.frameBudget = budget;
-        options.cubeMaps.repair = false;
+        options.cubeMaps.refineStaticViews = false;
         RenderedScene scene(gl, loader, model, options, kRepairWidth, kRepairHeight);
         ASSERT_TRUE(scene.ready());
         ASSERT_NO_FATAL_FAILURE(converge(scene, camera));
         const double without = rmse(scene.visibility(), truth);
-        options.cubeMaps.repair = true;
+        options.cubeMaps.refineStaticViews = true;
         ASSERT_TRUE(scene.ao().setOptions(options).ok());
         ASSERT_NO_FATAL_FAILURE(converge(scene, camera));
         const FloatImage repaired = scene.visibility();

@@ -120,7 +120,7 @@ TEST_P(SamplesGLTest, EachSampleIsJudgedByItsOwnSurface) {
     const Options layered = sampledOptions(Estimator::LayeredIntervals);
     expectEdges("layered, at rest", layered, plain, four_, 0.04);
     Options moving = layered;
-    moving.cubeMaps.repair = false;
+    moving.cubeMaps.refineStaticViews = false;
     expectEdges("layered, texels alone", moving, plain, four_, 0.04);
     moving.cubeMaps.halfResolution = true;
     expectEdges("half resolution", moving, plain, four_, 0.05);
@@ -136,7 +136,7 @@ TEST_P(SamplesGLTest, EachSampleIsJudgedByItsOwnSurface) {
 
 TEST_P(SamplesGLTest, WhateverTheCameraAndTheFramebuffer) {
     Options options = sampledOptions(Estimator::LayeredIntervals);
-    options.cubeMaps.repair = false;
+    options.cubeMaps.refineStaticViews = false;
     const CameraKind plain = cameraKinds().at("perspective");
     for (const char* name : {"upper left", "reversed, [0,1], infinite far"}) {
         if (gl.capabilities.clipControl) {

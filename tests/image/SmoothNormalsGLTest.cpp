@@ -79,7 +79,7 @@ protected:
         options.radius = kSmoothRadius;
         options.frameBudget = 20.0F;
         options.cubeMaps.faceSize = 128;
-        options.cubeMaps.repair = repair;
+        options.cubeMaps.refineStaticViews = repair;
         RenderedScene scene(gl, loader, rings(), options, kSmoothWidth, kSmoothHeight,
                             host::SceneNormals::Model);
         if (withTracer) {

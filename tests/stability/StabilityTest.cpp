@@ -12,10 +12,10 @@ Options StabilityTest::options(float radius) {
     options.estimator = GetParam();
     options.radius = radius;
     options.rayTraced.rays = 64;
-    options.cubeMaps.repair = false; // what cube maps know, not the view at rest
+    options.cubeMaps.refineStaticViews = false; // what cube maps know, not the view at rest
     options.cubeMaps.faceSize = kFaceSize;
     options.cubeMaps.place = false;
-    options.cubeMaps.fallback = false; // what cube maps know
+    options.cubeMaps.screenSpaceFallback = false; // what cube maps know
     return options;
 }
 

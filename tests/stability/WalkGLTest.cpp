@@ -72,7 +72,7 @@ TEST_P(WalkGLTest, DISABLED_ErrorOnTheWay) {
                 o.cubeMaps.faceSize = 512;
                 o.cubeMaps.place = true;
                 o.cubeMaps.coverage = coverage;
-                o.cubeMaps.fallback = fallback;
+                o.cubeMaps.screenSpaceFallback = fallback;
                 walk(scene, *model, o,
                      scene + ", a cube map below " + std::to_string(coverage) +
                          (fallback ? ", the rest by what is in sight" : ""));

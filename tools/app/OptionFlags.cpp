@@ -1,6 +1,7 @@
 #include "app/OptionFlags.h"
 
 #include <limits>
+#include <map>
 #include <sstream>
 #include <string_view>
 #include <type_traits>
@@ -15,6 +16,10 @@ namespace aolib::app {
 namespace {
 
 const char* const kOptionsGroup = "Ambient occlusion";
+
+/// Names that options had before, which are taken still.
+const std::map<std::string_view, std::string> kFormerNames{{"refine-static-views", "repair"},
+                                                           {"screen-space-fallback", "fallback"}};
 
 std::string compact(double value) {
     std::ostringstream text;
@@ -72,6 +77,10 @@ public:
                                    (field ? "; on unless --no-" + key : std::string()))
             ->group(kOptionsGroup);
         command_.add_flag_function("--no-" + key, clear, "")->group("");
+        if (const auto former = kFormerNames.find(name); former != kFormerNames.end()) {
+            command_.add_flag_function("--" + former->second, set, "")->group("");
+            command_.add_flag_function("--no-" + former->second, clear, "")->group("");
+        }
     }
 
     template <typename E, std::size_t N>

@@ -71,7 +71,7 @@ FacadeMethod& named(Method& method, const std::string& suffix, const std::string
 /// view of the one before.
 Method moving(Method method) {
     FacadeMethod& facade = named(method, "-moving", " moving");
-    facade.options.cubeMaps.repair = false;
+    facade.options.cubeMaps.refineStaticViews = false;
     facade.moving = true;
     return method;
 }

@@ -25,7 +25,7 @@ constexpr float kLeastInSoftware = 0.5F;
 
 bool ScreenSpaceFallback::due(const BackboneContext& context, float shaded, bool atOnce) {
     const bool dear = context.gl.capabilities.software && shaded < kLeastInSoftware;
-    return context.options.cubeMaps.fallback && !context.scene.empty() && shaded < 1.0F &&
+    return context.options.cubeMaps.screenSpaceFallback && !context.scene.empty() && shaded < 1.0F &&
            (!dear || atOnce);
 }
 

@@ -31,7 +31,7 @@ protected:
         Options o = ProgressiveTest::options(estimator);
         o.radius = kRadius;
         o.cubeMaps.place = true;
-        o.cubeMaps.repair = false;
+        o.cubeMaps.refineStaticViews = false;
         o.rayTraced.rays = 64;
         return o;
     }
@@ -196,7 +196,7 @@ TEST_P(ChangingSceneGLTest, NoChangeStopsHorizons) {
 
 TEST_P(ChangingSceneGLTest, WhatMovesOutOfSightDisturbsNothing) {
     Options o = options(Estimator::RayTraced);
-    o.cubeMaps.repair = true;
+    o.cubeMaps.refineStaticViews = true;
     SmallHost host = hostOf(o);
     const MeshId id = *host.ao().addMesh(box(at(0, -4)));
     ASSERT_TRUE(moveUntil(
@@ -213,7 +213,7 @@ TEST_P(ChangingSceneGLTest, WhatMovesOutOfSightDisturbsNothing) {
 
 TEST_P(ChangingSceneGLTest, PixelsOfAViewAtRestStayWhereNothingMoves) {
     Options o = options(Estimator::RayTraced);
-    o.cubeMaps.repair = true;
+    o.cubeMaps.refineStaticViews = true;
     SmallHost host = hostOf(o);
     const MeshId id = *host.ao().addMesh(box(at(0)));
     ASSERT_GT(converge(host), 0);

@@ -28,7 +28,7 @@ protected:
         o.radius = 1.0F;
         o.horizonSplit = {.directions = 4, .steps = 4};
         o.cubeMaps.faceSize = kFaceSize;
-        o.cubeMaps.fallback = false; // what cube maps know alone
+        o.cubeMaps.screenSpaceFallback = false; // what cube maps know alone
         o.cubeMaps.memoryBudget = budgetFor(cubeMaps);
         return o;
     }
@@ -213,7 +213,7 @@ TEST_P(EvictionGLTest, DetailInViewPushesOutWhatNobodySees) {
     Options o = options(1.01);
     o.estimator = Estimator::RayTraced;
     o.rayTraced.rays = 16;
-    o.cubeMaps.repair = false;
+    o.cubeMaps.refineStaticViews = false;
     o.frameBudget = 1000.0F;
     o.cubeMaps.faceSize = kFine;
     o.cubeMaps.memoryBudget = budgetFor(3.01, kFine);

@@ -12,7 +12,7 @@ protected:
         Options o = ProgressiveTest::options(Estimator::LayeredIntervals);
         o.layeredIntervals = {.slices = 8, .steps = 16};
         o.cubeMaps.faceSize = 256;
-        o.cubeMaps.repair = false;
+        o.cubeMaps.refineStaticViews = false;
         return o;
     }
     SmallHost hostOf(const Options& o, const Model& model, const glm::vec3& centre = kCentre) {

@@ -35,8 +35,8 @@ protected:
         o.cubeMaps.place = false;
         o.layeredIntervals = {.slices = 4, .steps = 8};
         o.rayTraced.rays = 16;
-        o.cubeMaps.repair = false;   // which has buffers of its own, per frame
-        o.cubeMaps.fallback = false; // and so has this
+        o.cubeMaps.refineStaticViews = false;   // which has buffers of its own, per frame
+        o.cubeMaps.screenSpaceFallback = false; // and so has this
         SmallHost host(gl, loader, boxOnFloor(), o);
         host.ao().setTexelTracer(std::move(*createTexelTracer(1)));
         host.lookAt({4, 24, 40}, {0, 0.5F, 0}); // so far away that no view asks for detail

@@ -32,7 +32,7 @@ TEST_P(ProgressiveGLTest, EndsWhereComputingAtOnceDoes) {
     for (const Estimator estimator : {Estimator::HorizonSplit, Estimator::LayeredIntervals}) {
         Options o = options(estimator);
         o.blur.enabled = false;
-        o.cubeMaps.repair = false; // which begins with a second frame
+        o.cubeMaps.refineStaticViews = false; // which begins with a second frame
         SmallHost slow = hostWith(o);
         ASSERT_TRUE(slow.ao().addCubeMap({0.5F, 3, 5}).ok());
         EXPECT_GT(converge(slow), 2) << "a capture, passes, and 32 frames to come in";
@@ -185,7 +185,7 @@ TEST_P(ProgressiveGLTest, AViewIsSurveyedAsOftenAsItChanges) {
 TEST_P(ProgressiveGLTest, ANewCubeMapComesInWithoutAStep) {
     Options o = options(Estimator::RayTraced);
     o.rayTraced.rays = 64;
-    o.cubeMaps.repair = false;
+    o.cubeMaps.refineStaticViews = false;
     SmallHost host = hostWith(o);
     ASSERT_TRUE(host.ao().addCubeMap({-3, 4, 3}).ok());
     ASSERT_GT(converge(host), 0);

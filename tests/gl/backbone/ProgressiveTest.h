@@ -21,7 +21,7 @@ protected:
     /// What cube maps know alone.
     static Options options(Estimator estimator) {
         Options o;
-        o.cubeMaps.fallback = false;
+        o.cubeMaps.screenSpaceFallback = false;
         o.estimator = estimator;
         o.radius = 1.5F;
         o.frameBudget = 20.0F;

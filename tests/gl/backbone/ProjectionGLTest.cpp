@@ -12,7 +12,7 @@ Options projectionOptions() {
     o.radius = 1.5F;
     o.cubeMaps.faceSize = 256;
     o.cubeMaps.place = false;
-    o.cubeMaps.fallback = false; // what is projected alone
+    o.cubeMaps.screenSpaceFallback = false; // what is projected alone
     o.blur.enabled = false;
     return o;
 }

@@ -15,13 +15,13 @@ protected:
         Options o = ProgressiveTest::options(Estimator::RayTraced);
         o.frameBudget = 0.0F;
         o.rayTraced.rays = 64;
-        o.cubeMaps.fallback = true;
-        o.cubeMaps.repair = false;
+        o.cubeMaps.screenSpaceFallback = true;
+        o.cubeMaps.refineStaticViews = false;
         return o;
     }
     static Options without() {
         Options o = options();
-        o.cubeMaps.fallback = false;
+        o.cubeMaps.screenSpaceFallback = false;
         return o;
     }
     /// Seen from behind, and drawn until a survey has looked.
@@ -153,7 +153,7 @@ TEST_P(FallbackGLTest, ShadesFromTheFirstFrameOnWhereThereIsAGraphicsCard) {
             EXPECT_LT(host.visibilityAt(place), 0.9F) << "frame " << i;
         }
     }
-    o.cubeMaps.fallback = false;
+    o.cubeMaps.screenSpaceFallback = false;
     ASSERT_TRUE(host.ao().clear().ok());
     ASSERT_TRUE(host.ao().setOptions(o).ok());
     ASSERT_TRUE(host.frame().ok());

@@ -23,24 +23,24 @@ TEST_P(ViewRepairGLTest, LayeredIntervalsAreRepairedWhereThereIsATracer) {
     Options o = options(Estimator::LayeredIntervals);
     SmallHost traced = hostWith(options(Estimator::RayTraced), fence());
     SmallHost layered = hostWith(o, fence());
-    o.cubeMaps.repair = false;
+    o.cubeMaps.refineStaticViews = false;
     SmallHost plain = hostWith(o, fence());
     for (SmallHost* host : {&traced, &layered, &plain}) {
         ASSERT_TRUE(host->ao().addCubeMap({0.5F, 3, 5}).ok());
         ASSERT_GT(converge(*host), 0);
     }
-    EXPECT_GT(layered.ao().statistics().pixelsRepaired, 500U);
-    EXPECT_EQ(plain.ao().statistics().pixelsRepaired, 0U);
+    EXPECT_GT(layered.ao().statistics().pixelsRefined, 500U);
+    EXPECT_EQ(plain.ao().statistics().pixelsRefined, 0U);
     const Picture truth = traced.visibility().visibility;
     EXPECT_LT(rmse(layered.visibility().visibility, truth),
               0.7 * rmse(plain.visibility().visibility, truth));
     // A radius makes another question of it.
-    o.cubeMaps.repair = true;
+    o.cubeMaps.refineStaticViews = true;
     o.radius = 0.1F;
     const float budget = std::exchange(o.frameBudget, 1e-6F); // no frame does all at once
     ASSERT_TRUE(layered.ao().setOptions(o).ok());
     ASSERT_TRUE(layered.frame().ok());
-    EXPECT_EQ(layered.ao().statistics().pixelsRepaired, 0U);
+    EXPECT_EQ(layered.ao().statistics().pixelsRefined, 0U);
     o.frameBudget = budget;
     ASSERT_TRUE(layered.ao().setOptions(o).ok());
     ASSERT_GT(converge(layered), 0);
@@ -65,7 +65,7 @@ TEST_P(ViewRepairGLTest, RepairLastsUntilTheViewMovesAndComesBack) {
     EXPECT_GT(largestChange(moving, resting), 0.05);
     host.lookAt({0.6F, 3, 5}, {0, 0.5F, 0});
     ASSERT_TRUE(host.frame().ok());
-    EXPECT_EQ(host.ao().statistics().pixelsRepaired, 0U);
+    EXPECT_EQ(host.ao().statistics().pixelsRefined, 0U);
     host.lookAt({0.5F, 3, 5}, {0, 0.5F, 0});
     ASSERT_TRUE(host.frame().ok());
     EXPECT_EQ(host.visibility().visibility, moving);
@@ -110,7 +110,7 @@ TEST_P(ViewRepairGLTest, RepairHoldsForTheDepthThatItWasTracedFor) {
     ASSERT_TRUE(host.frame().ok());
     EXPECT_EQ(host.visibility().visibility, before) << "the pixels are what they were";
     EXPECT_GT(largestChange(during, before), 0.1);
-    o.cubeMaps.repair = false;
+    o.cubeMaps.refineStaticViews = false;
     ASSERT_TRUE(host.ao().setOptions(o).ok());
     std::swap(host.renderer(), *other);
     ASSERT_TRUE(host.frame().ok());

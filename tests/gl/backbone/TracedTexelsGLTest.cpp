@@ -28,7 +28,7 @@ TEST_P(TracedTexelsGLTest, TracedTexelsFollowTheClosedForm) {
 TEST_P(TracedTexelsGLTest, WhatIsTracedTwiceCountsOnce) {
     Options o = options(Estimator::RayTraced);
     o.rayTraced.rays = 16; // one pass
-    o.cubeMaps.repair = false;
+    o.cubeMaps.refineStaticViews = false;
     SmallHost host = hostWith(o);
     ASSERT_TRUE(host.ao().addCubeMap({0.5F, 3, 5}).ok());
     for (int frame = 0; frame < 200; ++frame) {

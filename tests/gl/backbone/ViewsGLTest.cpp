@@ -74,7 +74,7 @@ TEST_P(ViewsGLTest, AllConvergeToWhatEachWouldBeAlone) {
             const Statistics statistics = host.ao().statistics(view);
             EXPECT_TRUE(statistics.converged);
             EXPECT_EQ(statistics.computed, 1.0F);
-            EXPECT_GT(statistics.pixelsRepaired, 0U);
+            EXPECT_GT(statistics.pixelsRefined, 0U);
             const Picture picture = host.ao().readVisibility(view)->visibility;
             EXPECT_LT(rmse(picture, alone(view, viewOptions(estimator))), 0.02);
             ASSERT_TRUE(draw(host, view).ok());
@@ -88,7 +88,7 @@ TEST_P(ViewsGLTest, CamerasThatTakeTurnsWithoutNamesConvergeToo) {
     SmallHost host = hostWith(viewOptions(Estimator::RayTraced));
     EXPECT_GE(convergeAll(host, /*named=*/false), 0);
     EXPECT_EQ(host.ao().statistics().views, 3);
-    EXPECT_GT(host.ao().statistics().pixelsRepaired, 0U);
+    EXPECT_GT(host.ao().statistics().pixelsRefined, 0U);
 }
 
 TEST_P(ViewsGLTest, OneThatMovesDoesNotKeepAnotherFromConverging) {
@@ -156,7 +156,7 @@ TEST_P(ViewsGLTest, SaysWhatAFrameWithoutGeometryLacks) {
 
 TEST_P(ViewsGLTest, WhereAnOrthographicEyeStandsDoesNotMatter) {
     Options o = viewOptions(Estimator::RayTraced);
-    o.cubeMaps.repair = false;
+    o.cubeMaps.refineStaticViews = false;
     std::vector<Picture> pictures;
     for (const float height : {2.0F, 30.0F, 600.0F}) {
         SmallHost host = hostWith(o);

@@ -20,7 +20,7 @@ Options applyOptions(Backbone backbone = Backbone::Cubemapped) {
     options.estimator = Estimator::LayeredIntervals;
     options.radius = 1.0F;
     options.cubeMaps.faceSize = 128;
-    options.cubeMaps.repair = false; // a second call is another picture
+    options.cubeMaps.refineStaticViews = false; // a second call is another picture
     return options;
 }
 

@@ -114,7 +114,7 @@ TEST_P(SceneEditGLTest, AnEmptiedSceneHasNothingLeftToCompute) {
     ASSERT_TRUE(host.ao().removeMesh(id).ok());
     ASSERT_TRUE(host.frame().ok());
     EXPECT_TRUE(host.ao().statistics().converged);
-    EXPECT_EQ(host.ao().statistics().pixelsRepaired, 0U);
+    EXPECT_EQ(host.ao().statistics().pixelsRefined, 0U);
 }
 
 AOLIB_FOR_ALL_CONTEXTS(SceneEditGLTest);

@@ -126,7 +126,7 @@ TEST_P(SoakGLTest, MemoryAndObjectsStayFlat) {
             atStop = 0;
             ++steps;
         }
-        half.atRest = std::max(half.atRest, s.pixelsRepaired);
+        half.atRest = std::max(half.atRest, s.pixelsRefined);
         half.kept = std::max(half.kept, s.bytesKept);
         if (frame % every != 0 && !(stops() && settled(s))) {
             continue;

@@ -101,7 +101,7 @@ struct GuestCalls {
     void pace() {
         Options options = ao().options();
         options.frameBudget = dice.chance(0.5) ? 0.0F : 1.0F;
-        options.cubeMaps.repair = dice.chance(0.7);
+        options.cubeMaps.refineStaticViews = dice.chance(0.7);
         options.cubeMaps.projection =
             dice.chance(0.5) ? ProjectionMethod::SinglePass : ProjectionMethod::PingPong;
         options.cubeMaps.memoryBudget = dice.chance(0.5) ? 512.0F : kTightBudget;
@@ -113,7 +113,7 @@ struct GuestCalls {
         const Options before = options;
         options.estimator = dice.chance(0.7) ? Estimator::LayeredIntervals : Estimator::RayTraced;
         options.frameBudget = 0.0F;
-        options.cubeMaps.repair = true;
+        options.cubeMaps.refineStaticViews = true;
         if (options.estimator == Estimator::RayTraced) {
             ao().setTexelTracer(std::move(*createTexelTracer(1)));
         }
@@ -124,7 +124,7 @@ struct GuestCalls {
         for (int i = dice.between(2, 4); i > 0; --i) {
             situation.frame == StatusCode::Ok ? frame() : apply();
         }
-        guest.pixelsAtRest_ += ao().statistics().pixelsRepaired;
+        guest.pixelsAtRest_ += ao().statistics().pixelsRefined;
         if (dice.chance(0.5)) {
             ao().setTexelTracer({});
         }

@@ -20,7 +20,7 @@ Method facade(const std::string& name, Backbone backbone, Estimator estimator, i
     how.options.frameBudget = 0.0F;
     how.options.cubeMaps.place = false;
     how.options.cubeMaps.faceSize = 48;
-    how.options.cubeMaps.repair = false; // else nothing is left to measure
+    how.options.cubeMaps.refineStaticViews = false; // else nothing is left to measure
     how.options.layeredIntervals.slices = 4;
     how.options.layeredIntervals.steps = 8;
     Method method;

@@ -55,7 +55,7 @@ TEST_F(SolidsTest, ABoxWithoutALidIsASheet) {
     const Solids solids = findSolids(mesh());
     EXPECT_TRUE(solids.bounds.empty());
     EXPECT_EQ(solids.count(), 1U) << "the number of its sheets";
-    EXPECT_EQ(solids.solidOfVertex, std::vector<std::uint32_t>(8, Solids::kSheets + 1U));
+    EXPECT_EQ(solids.solidOfVertex, std::vector<std::uint32_t>(8, Solids::kOpenMeshes + 1U));
 }
 
 TEST_F(SolidsTest, SplitVerticesAreWelded) {
@@ -78,7 +78,7 @@ TEST_F(SolidsTest, ComponentsAreJudgedApart) {
     EXPECT_EQ(solids.bounds.size(), 2U);
     EXPECT_EQ(solids.count(), 3U);
     EXPECT_EQ(solids.solidOfVertex[0], 1U);
-    EXPECT_EQ(solids.solidOfVertex[8], Solids::kSheets + 3U);
+    EXPECT_EQ(solids.solidOfVertex[8], Solids::kOpenMeshes + 3U);
     EXPECT_EQ(solids.solidOfVertex[16], 2U);
 }
 

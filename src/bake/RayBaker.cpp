@@ -12,7 +12,7 @@
 #include "bake/MapLoop.h"
 #include "bake/VertexFitting.h"
 #include "bake/ViewReceivers.h"
-#include "reference/ParallelLoop.h"
+#include "parallel/ParallelLoop.h"
 
 namespace aolib::bake {
 

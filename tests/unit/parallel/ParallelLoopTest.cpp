@@ -1,4 +1,4 @@
-#include "reference/ParallelLoop.h"
+#include "parallel/ParallelLoop.h"
 
 #include <algorithm>
 #include <atomic>

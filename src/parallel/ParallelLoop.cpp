@@ -1,4 +1,4 @@
-#include "reference/ParallelLoop.h"
+#include "parallel/ParallelLoop.h"
 
 #include <algorithm>
 #include <atomic>
@@ -10,6 +10,8 @@
 #include <thread>
 #include <vector>
 
+#include "parallel/CoreCount.h"
+
 namespace aolib {
 
 namespace {
@@ -20,16 +22,15 @@ constexpr std::size_t pieceLength = 16;
 constexpr std::chrono::milliseconds reportInterval{50};
 
 unsigned workerCount(int threads, std::size_t pieces) {
-    const unsigned wanted = threads > 0 ? static_cast<unsigned>(threads)
-                                        : std::max(1U, std::thread::hardware_concurrency());
-    return static_cast<unsigned>(std::min<std::size_t>(wanted, pieces));
+    const auto wanted = static_cast<std::size_t>(threads > 0 ? threads : coreCount());
+    return static_cast<unsigned>(std::min(wanted, pieces));
 }
 
 } // namespace
 
 bool parallelLoop(std::size_t count, int threads,
                   const std::function<void(std::size_t begin, std::size_t end)>& body,
-                  const TraceProgress& progress) {
+                  const LoopProgress& progress) {
     if (progress && !progress(0.0)) {
         return false;
     }

@@ -1,4 +1,4 @@
-#include "bake/Reach.h"
+#include "bake/gpu/Reach.h"
 
 #include <cmath>
 

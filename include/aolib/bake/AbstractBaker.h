@@ -11,9 +11,9 @@
 #include <aolib/OpenSectors.h>
 #include <aolib/ProcAddressLoader.h>
 #include <aolib/Status.h>
-#include <aolib/bake/AbstractMapsSoFar.h>
 #include <aolib/bake/BakeOptions.h>
 #include <aolib/bake/BakeScene.h>
+#include <aolib/bake/BakeSnapshot.h>
 #include <aolib/bake/ViewPixels.h>
 
 namespace aolib::bake {

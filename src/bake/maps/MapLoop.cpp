@@ -15,7 +15,7 @@ namespace {
 /// Receivers are made anew in each, which takes as long as a sample or two.
 constexpr int samplesAtOnce = 64;
 
-class MapLoop final : public AbstractMapsSoFar {
+class MapLoop final : public BakeSnapshot {
 public:
     MapLoop(const BakeGeometry& geometry, const MapOptions& options, const TexelMethod& method)
         : options_(options), method_(method), facets_(geometry.scene()) {

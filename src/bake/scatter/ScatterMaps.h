@@ -14,7 +14,7 @@
 namespace aolib::bake {
 
 /// One bake of maps by scattered points.
-class ScatterMaps final : public AbstractMapsSoFar {
+class ScatterMaps final : public BakeSnapshot {
 public:
     /// All must outlive it.
     ScatterMaps(const GpuBake& gpu, const ScatterOptions& scatter, const MapOptions& options);

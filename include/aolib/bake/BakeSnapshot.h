@@ -33,6 +33,6 @@ public:
 /// number. Scattering calls it after every few directions. Rays and shadow maps call it after each
 /// pass over a map: there are `MapOptions::texelSamples` passes, or as many as passes of 64 samples
 /// need, whichever are more. Since 0.1.
-using BakeWatch = std::function<bool(BakeSnapshot& snapshot)>;
+using SnapshotCallback = std::function<bool(BakeSnapshot& snapshot)>;
 
 } // namespace aolib::bake

@@ -31,8 +31,8 @@ public:
             return map.receivers.raster().coveredTexels() > 0;
         });
     }
-    /// All passes, or those before `watch` says that it is enough.
-    AoStatus run(const BakeProgress& progress, const BakeWatch& watch);
+    /// All passes, or those before `onSnapshot` says that it is enough.
+    AoStatus run(const BakeProgress& progress, const SnapshotCallback& onSnapshot);
 
     int samples() const override {
         return std::min_element(maps_.begin(), maps_.end(),
@@ -51,7 +51,7 @@ private:
     std::vector<MapSums> maps_;
 };
 
-AoStatus MapLoop::run(const BakeProgress& progress, const BakeWatch& watch) {
+AoStatus MapLoop::run(const BakeProgress& progress, const SnapshotCallback& onSnapshot) {
     const int places = maps_.front().receivers.placesFor(method_.samples, method_.least);
     const int perRound = places * samplesAtOnce;
     const int passes = places * ((method_.samples + perRound - 1) / perRound);
@@ -69,7 +69,7 @@ AoStatus MapLoop::run(const BakeProgress& progress, const BakeWatch& watch) {
             return status;
         }
         map.samples = range.last;
-        if (watch && samples() > 0 && !watch(*this)) {
+        if (onSnapshot && samples() > 0 && !onSnapshot(*this)) {
             break;
         }
     }
@@ -120,7 +120,7 @@ AoStatus noMemoryForView() {
 
 Result<std::vector<BakedMap>> bakeInPasses(const BakeGeometry& geometry, const MapOptions& options,
                                            const TexelMethod& method, const BakeProgress& progress,
-                                           const BakeWatch& watch) try {
+                                           const SnapshotCallback& onSnapshot) try {
     if (AoStatus status = check(options); !status) {
         return status;
     }
@@ -128,7 +128,7 @@ Result<std::vector<BakedMap>> bakeInPasses(const BakeGeometry& geometry, const M
     if (!loop.covered()) {
         return noTexels();
     }
-    if (AoStatus status = loop.run(progress, watch); !status) {
+    if (AoStatus status = loop.run(progress, onSnapshot); !status) {
         return status;
     }
     Result<std::vector<BakedMap>> maps = loop.maps();

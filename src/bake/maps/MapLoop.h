@@ -39,7 +39,7 @@ struct TexelMethod {
 /// the method.
 Result<std::vector<BakedMap>> bakeInPasses(const BakeGeometry& geometry, const MapOptions& options,
                                            const TexelMethod& method, const BakeProgress& progress,
-                                           const BakeWatch& watch);
+                                           const SnapshotCallback& onSnapshot);
 
 /// What bakers answer when cancelled, where there is no texel, and no memory.
 AoStatus cancelledBake();

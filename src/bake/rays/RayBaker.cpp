@@ -105,13 +105,13 @@ AoStatus RayBaker::addRays(const SampleRange& rays, int number, MapSums& map,
 
 Result<std::vector<BakedMap>> RayBaker::bakeMaps(const MapOptions& options,
                                                  const BakeProgress& progress,
-                                                 const BakeWatch& watch) {
+                                                 const SnapshotCallback& onSnapshot) {
     TexelMethod method;
     method.samples = options_.rays;
     method.norm = [](int rays) { return 1.0 / rays; };
     method.add = [this](const SampleRange& rays, int number, MapSums& map,
                         const BakeProgress& share) { return addRays(rays, number, map, share); };
-    return bakeInPasses(geometry_, options, method, progress, watch);
+    return bakeInPasses(geometry_, options, method, progress, onSnapshot);
 }
 
 Result<std::vector<glm::vec4>> RayBaker::tracePoints(const std::vector<SurfacePoint>& points,

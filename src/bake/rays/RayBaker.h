@@ -22,7 +22,7 @@ public:
         : geometry_(std::move(geometry)), rays_(std::move(scene)), options_(options) {}
 
     Result<std::vector<BakedMap>> bakeMaps(const MapOptions& options, const BakeProgress& progress,
-                                           const BakeWatch& watch) override;
+                                           const SnapshotCallback& onSnapshot) override;
     Result<std::vector<BakedVertices>> bakeVertices(const VertexOptions& options,
                                                     const BakeProgress& progress) override;
     Result<BakedMap> bakeView(const ViewPixels& view, const BakeProgress& progress) override;

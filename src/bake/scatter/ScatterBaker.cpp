@@ -55,7 +55,7 @@ std::vector<glm::vec4> meansOf(const VertexSums& sums, double norm) {
 
 Result<std::vector<BakedMap>> ScatterBaker::bakeMaps(const MapOptions& options,
                                                      const BakeProgress& progress,
-                                                     const BakeWatch& watch) try {
+                                                     const SnapshotCallback& onSnapshot) try {
     if (AoStatus status = check(options); !status) {
         return status;
     }
@@ -64,7 +64,7 @@ Result<std::vector<BakedMap>> ScatterBaker::bakeMaps(const MapOptions& options,
         return scope.status();
     }
     ScatterMaps bake(gpu_, options_, options);
-    if (AoStatus status = bake.run(progress, watch); !status) {
+    if (AoStatus status = bake.run(progress, onSnapshot); !status) {
         return status;
     }
     Result<std::vector<BakedMap>> maps = bake.maps();

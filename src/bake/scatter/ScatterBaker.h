@@ -18,7 +18,7 @@ public:
         : gpu_(std::move(gpu)), options_(options) {}
 
     Result<std::vector<BakedMap>> bakeMaps(const MapOptions& options, const BakeProgress& progress,
-                                           const BakeWatch& watch) override;
+                                           const SnapshotCallback& onSnapshot) override;
     Result<std::vector<BakedVertices>> bakeVertices(const VertexOptions& options,
                                                     const BakeProgress& progress) override;
     Result<BakedMap> bakeView(const ViewPixels& view, const BakeProgress& progress) override;

@@ -97,7 +97,7 @@ float ScatterMaps::density() const {
     return static_cast<float>(texels / (area * scale * scale));
 }
 
-AoStatus ScatterMaps::run(const BakeProgress& progress, const BakeWatch& watch) {
+AoStatus ScatterMaps::run(const BakeProgress& progress, const SnapshotCallback& onSnapshot) {
     rasterise();
     if (std::none_of(rasters_.begin(), rasters_.end(),
                      [](const TexelRaster& raster) { return raster.coveredTexels() > 0; })) {
@@ -132,7 +132,8 @@ AoStatus ScatterMaps::run(const BakeProgress& progress, const BakeWatch& watch) 
             return !progress || progress((first + fraction * settings_.stack.count) / count);
         };
         // The first stack decides how many directions there are: the others get as many.
-        if (AoStatus status = addStack(*vertices, share, first == 0 ? watch : BakeWatch());
+        if (AoStatus status =
+                addStack(*vertices, share, first == 0 ? onSnapshot : SnapshotCallback());
             !status) {
             return status;
         }
@@ -142,7 +143,7 @@ AoStatus ScatterMaps::run(const BakeProgress& progress, const BakeWatch& watch) 
 
 /// Sums up the maps of a stack.
 AoStatus ScatterMaps::addStack(const BakeVertices& vertices, const BakeProgress& progress,
-                               const BakeWatch& watch) {
+                               const SnapshotCallback& onSnapshot) {
     const auto owners = std::span(owners_).subspan(stackStart(), stackSize());
     {
         const gl::StateGuard guard(*gpu_.gl);
@@ -158,7 +159,7 @@ AoStatus ScatterMaps::addStack(const BakeVertices& vertices, const BakeProgress&
         chartCoverage(gpu_.geometry, shapes_, stack, target, coveragePlaces);
     std::copy(coverage.begin(), coverage.end(),
               coverage_.begin() + static_cast<std::ptrdiff_t>(stackStart()));
-    const Result<int> added = addDirections(target, progress, watch);
+    const Result<int> added = addDirections(target, progress, onSnapshot);
     if (!added) {
         return added.status();
     }
@@ -169,7 +170,7 @@ AoStatus ScatterMaps::addStack(const BakeVertices& vertices, const BakeProgress&
 }
 
 Result<int> ScatterMaps::addDirections(const PointTarget& target, const BakeProgress& progress,
-                                       const BakeWatch& watch) {
+                                       const SnapshotCallback& onSnapshot) {
     std::optional<PictureAdder> adder;
     if (!settings_.draws) {
         adder.emplace(shapes_,
@@ -199,7 +200,7 @@ Result<int> ScatterMaps::addDirections(const PointTarget& target, const BakeProg
     };
     const auto goOn = [&](int done) {
         directions_ = done;
-        return !watch || watch(*this);
+        return !onSnapshot || onSnapshot(*this);
     };
     return gpu_.addDirections(plan, progress, add, goOn);
 }

@@ -21,7 +21,7 @@ public:
 
     /// Errors: InvalidPosition where no texel is covered, MissingCapability, ShaderError,
     /// OutOfMemory, Cancelled.
-    AoStatus run(const BakeProgress& progress, const BakeWatch& watch);
+    AoStatus run(const BakeProgress& progress, const SnapshotCallback& onSnapshot);
 
     int samples() const override { return directions_; }
     int wantedSamples() const override { return scatter_.directions; }
@@ -32,9 +32,9 @@ private:
     int rasterSize() const;
     float density() const;
     AoStatus addStack(const BakeVertices& vertices, const BakeProgress& progress,
-                      const BakeWatch& watch);
+                      const SnapshotCallback& onSnapshot);
     Result<int> addDirections(const PointTarget& target, const BakeProgress& progress,
-                              const BakeWatch& watch);
+                              const SnapshotCallback& onSnapshot);
     void fetch();
     BakedMap mapOf(std::size_t number) const;
     std::size_t stackStart() const;

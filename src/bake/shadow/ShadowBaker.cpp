@@ -91,7 +91,7 @@ Result<std::vector<glm::vec4>> ShadowBaker::sumsOf(Work& work, Receivers receive
 
 Result<std::vector<BakedMap>> ShadowBaker::bakeMaps(const MapOptions& options,
                                                     const BakeProgress& progress,
-                                                    const BakeWatch& watch) try {
+                                                    const SnapshotCallback& onSnapshot) try {
     if (AoStatus status = check(options); !status) {
         return status;
     }
@@ -125,7 +125,7 @@ Result<std::vector<BakedMap>> ShadowBaker::bakeMaps(const MapOptions& options,
                        [](const glm::vec4& a, const glm::vec4& b) { return a + b; });
         return AoStatus();
     };
-    return bakeInPasses(gpu_.geometry, options, method, progress, watch);
+    return bakeInPasses(gpu_.geometry, options, method, progress, onSnapshot);
 } catch (const std::bad_alloc&) {
     return noMemoryForMaps(options);
 }

@@ -15,7 +15,7 @@ protected:
         options.width = options.height = size;
         return options;
     }
-    static BakeWatch until(int directions) {
+    static SnapshotCallback until(int directions) {
         return [directions](BakeSnapshot& snapshot) { return snapshot.samples() < directions; };
     }
     static void expectSame(const Result<std::vector<BakedMap>>& a,

@@ -26,7 +26,7 @@ MapOptions smallMap(int texelSamples) {
 }
 
 /// Ends a bake as soon as there are so many samples.
-BakeWatch until(int samples) {
+SnapshotCallback until(int samples) {
     return [samples](BakeSnapshot& snapshot) { return snapshot.samples() < samples; };
 }
 

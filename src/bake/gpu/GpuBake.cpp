@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "bake/maps/MapLoop.h"
+#include "bake/maps/ProgressiveBake.h"
 #include "gl/StateGuard.h"
 
 namespace aolib::bake {

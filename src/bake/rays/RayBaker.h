@@ -7,7 +7,7 @@
 #include <aolib/bake/AbstractBaker.h>
 
 #include "bake/geometry/BakeGeometry.h"
-#include "bake/maps/MapLoop.h"
+#include "bake/maps/ProgressiveBake.h"
 #include "bake/maps/TexelReceivers.h"
 #include "bake/rays/HemisphereTracer.h"
 #include "bake/vertices/VertexWeld.h"

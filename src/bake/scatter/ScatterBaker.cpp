@@ -8,7 +8,7 @@
 #include <span>
 
 #include "bake/CheckOptions.h"
-#include "bake/maps/MapLoop.h"
+#include "bake/maps/ProgressiveBake.h"
 #include "bake/scatter/ScatterMaps.h"
 #include "bake/scatter/ScatterPasses.h"
 #include "bake/vertices/VertexFitting.h"

@@ -8,7 +8,7 @@
 
 #include "bake/geometry/SurfaceSamples.h"
 #include "bake/maps/MapFill.h"
-#include "bake/maps/MapLoop.h"
+#include "bake/maps/ProgressiveBake.h"
 #include "bake/scatter/ChartCoverage.h"
 #include "bake/scatter/PictureAdder.h"
 #include "bake/scatter/TexelDensity.h"

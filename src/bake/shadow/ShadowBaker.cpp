@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "bake/CheckOptions.h"
-#include "bake/maps/MapLoop.h"
+#include "bake/maps/ProgressiveBake.h"
 #include "bake/maps/ViewReceivers.h"
 #include "bake/shadow/ShadowPasses.h"
 #include "bake/shadow/SlabPasses.h"

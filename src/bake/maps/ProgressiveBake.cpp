@@ -1,4 +1,4 @@
-#include "bake/maps/MapLoop.h"
+#include "bake/maps/ProgressiveBake.h"
 
 #include <algorithm>
 #include <new>
@@ -15,9 +15,10 @@ namespace {
 /// Receivers are made anew in each, which takes as long as a sample or two.
 constexpr int samplesAtOnce = 64;
 
-class MapLoop final : public BakeSnapshot {
+class ProgressiveBake final : public BakeSnapshot {
 public:
-    MapLoop(const BakeGeometry& geometry, const MapOptions& options, const TexelMethod& method)
+    ProgressiveBake(const BakeGeometry& geometry, const MapOptions& options,
+                    const TexelMethod& method)
         : options_(options), method_(method), facets_(geometry.scene()) {
         const int count = geometry.scene().mapCount();
         maps_.reserve(static_cast<std::size_t>(count));
@@ -51,7 +52,7 @@ private:
     std::vector<MapSums> maps_;
 };
 
-AoStatus MapLoop::run(const BakeProgress& progress, const SnapshotCallback& onSnapshot) {
+AoStatus ProgressiveBake::run(const BakeProgress& progress, const SnapshotCallback& onSnapshot) {
     const int places = maps_.front().receivers.placesFor(method_.samples, method_.least);
     const int perRound = places * samplesAtOnce;
     const int passes = places * ((method_.samples + perRound - 1) / perRound);
@@ -76,7 +77,7 @@ AoStatus MapLoop::run(const BakeProgress& progress, const SnapshotCallback& onSn
     return {};
 }
 
-BakedMap MapLoop::mapOf(const MapSums& sums) const {
+BakedMap ProgressiveBake::mapOf(const MapSums& sums) const {
     BakedMap map = emptyMap(sums.receivers.raster());
     const double norm = method_.norm(sums.samples);
     for (std::size_t i = 0; i < sums.light.size(); ++i) {
@@ -89,7 +90,7 @@ BakedMap MapLoop::mapOf(const MapSums& sums) const {
     return map;
 }
 
-Result<std::vector<BakedMap>> MapLoop::maps() try {
+Result<std::vector<BakedMap>> ProgressiveBake::maps() try {
     std::vector<BakedMap> maps;
     for (const MapSums& sums : maps_) {
         maps.push_back(mapOf(sums));
@@ -124,14 +125,14 @@ Result<std::vector<BakedMap>> bakeInPasses(const BakeGeometry& geometry, const M
     if (AoStatus status = check(options); !status) {
         return status;
     }
-    MapLoop loop(geometry, options, method);
-    if (!loop.covered()) {
+    ProgressiveBake bake(geometry, options, method);
+    if (!bake.covered()) {
         return noTexels();
     }
-    if (AoStatus status = loop.run(progress, onSnapshot); !status) {
+    if (AoStatus status = bake.run(progress, onSnapshot); !status) {
         return status;
     }
-    Result<std::vector<BakedMap>> maps = loop.maps();
+    Result<std::vector<BakedMap>> maps = bake.maps();
     if (maps && progress) {
         progress(1.0);
     }

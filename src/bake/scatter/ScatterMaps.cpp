@@ -10,7 +10,7 @@
 #include "bake/maps/MapFill.h"
 #include "bake/maps/ProgressiveBake.h"
 #include "bake/scatter/ChartCoverage.h"
-#include "bake/scatter/PictureAdder.h"
+#include "bake/scatter/CpuSplatter.h"
 #include "bake/scatter/TexelDensity.h"
 #include "bake/scatter/ThinTexels.h"
 #include "gl/StateGuard.h"
@@ -171,12 +171,13 @@ AoStatus ScatterMaps::addStack(const BakeVertices& vertices, const BakeProgress&
 
 Result<int> ScatterMaps::addDirections(const PointTarget& target, const BakeProgress& progress,
                                        const SnapshotCallback& onSnapshot) {
-    std::optional<PictureAdder> adder;
+    std::optional<CpuSplatter> splatter;
     if (!settings_.draws) {
-        adder.emplace(shapes_,
-                      PointWeights(gpu_.geometry, gpu_.frame,
-                                   {settings_.stack.mapSize, settings_.density, settings_.ground}),
-                      settings_.stack, target);
+        splatter.emplace(
+            shapes_,
+            PointWeights(gpu_.geometry, gpu_.frame,
+                         {settings_.stack.mapSize, settings_.density, settings_.ground}),
+            settings_.stack, target);
     }
     DirectionPlan plan;
     plan.last = directions_;
@@ -188,9 +189,9 @@ Result<int> ScatterMaps::addDirections(const PointTarget& target, const BakeProg
         AoStatus status;
         for (std::size_t i = 0; i < views.size() && status; ++i) {
             status = passes_->drawSurface(views[i], [&] {
-                if (adder) {
-                    adder->add(passes_->readSurface(), views[i],
-                               std::span(light_).subspan(stackStart(), stackSize()));
+                if (splatter) {
+                    splatter->add(passes_->readSurface(), views[i],
+                                  std::span(light_).subspan(stackStart(), stackSize()));
                 } else {
                     passes_->scatter(views[i]);
                 }

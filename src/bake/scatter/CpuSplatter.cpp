@@ -1,11 +1,11 @@
-#include "bake/scatter/PictureAdder.h"
+#include "bake/scatter/CpuSplatter.h"
 
 #include <cstddef>
 
 namespace aolib::bake {
 
-void PictureAdder::add(const std::vector<glm::vec4>& picture, const LightView& view,
-                       std::span<glm::vec4> light) const {
+void CpuSplatter::add(const std::vector<glm::vec4>& picture, const LightView& view,
+                      std::span<glm::vec4> light) const {
     const glm::vec4 unit(glm::vec3(view.direction), 1.0F);
     const glm::vec2 size(stack_.mapSize);
     for (const glm::vec4& pixel : picture) {

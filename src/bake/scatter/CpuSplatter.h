@@ -14,16 +14,16 @@
 
 namespace aolib::bake {
 
-/// Stage 2 of scattering on the processor.
-class PictureAdder {
+/// Stage 2 of scattering on the CPU: adds the pixels of a picture to the texels as splats.
+class CpuSplatter {
 public:
     /// Shapes and the target's facets must outlive it.
-    PictureAdder(std::span<const PointShape> shapes, PointWeights weights, const MapStack& stack,
-                 const PointTarget& target)
+    CpuSplatter(std::span<const PointShape> shapes, PointWeights weights, const MapStack& stack,
+                const PointTarget& target)
         : shapes_(shapes), weights_(std::move(weights)), stack_(stack), target_(target) {}
 
-    /// Adds what a direction lights.
-    /// @param picture  u, v, number of the triangle from 1, 0 for none.
+    /// Adds the light from one direction.
+    /// @param picture  per pixel: u, v, number of the triangle from 1, or 0 for none.
     /// @param light    per texel of the target: weighed direction, weight.
     void add(const std::vector<glm::vec4>& picture, const LightView& view,
              std::span<glm::vec4> light) const;

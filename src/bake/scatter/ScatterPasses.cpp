@@ -7,7 +7,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "bake/gpu/BakeShaders.h"
-#include "bake/scatter/MadeParts.h"
+#include "bake/scatter/FirstError.h"
 #include "gl/Label.h"
 
 namespace aolib::bake {
@@ -64,7 +64,7 @@ Result<ScatterPasses> ScatterPasses::create(const gl::Functions& gl, const Setti
     passes.gl_ = &gl;
     passes.settings_ = settings;
     passes.vertices_ = &vertices;
-    MadeParts parts;
+    FirstError firstError;
     const auto target = [&](const glm::ivec2& size, std::vector<Format> formats, Depth depth,
                             const char* label) {
         gl::RenderToTexture2D::Settings wanted;
@@ -77,32 +77,33 @@ Result<ScatterPasses> ScatterPasses::create(const gl::Functions& gl, const Setti
     };
     const glm::ivec2 raster(settings.rasterSize);
     if (settings.slabs) {
-        parts.keep(passes.slabs_, ScatterSlabs::create(gl, settings.rasterSize, vertices));
+        firstError.assign(passes.slabs_, ScatterSlabs::create(gl, settings.rasterSize, vertices));
     }
     if (!settings.draws) {
-        parts.keep(
+        firstError.assign(
             passes.surfaceShader_,
             settings.places
                 ? buildBakeShader(gl, "bake/scatter_position.vert", "bake/scatter_position.frag")
                 : buildBakeShader(gl, "bake/scatter_triangle.vert", "bake/scatter_triangle.frag"));
-        parts.keep(passes.surface_,
-                   target(raster, {Format::RGBA32F}, Depth::Depth32F, "aolib/bake/surface"));
-        return parts.status() ? Result<ScatterPasses>(std::move(passes)) : parts.status();
+        firstError.assign(passes.surface_,
+                          target(raster, {Format::RGBA32F}, Depth::Depth32F, "aolib/bake/surface"));
+        return firstError.status() ? Result<ScatterPasses>(std::move(passes)) : firstError.status();
     }
-    parts.keep(passes.surfaceShader_,
-               buildBakeShader(gl, "bake/scatter_surface.vert", "bake/scatter_surface.frag"));
-    parts.keep(passes.pointShader_,
-               buildBakeShader(gl, "bake/scatter_point.vert", "bake/scatter_point.frag"));
+    firstError.assign(passes.surfaceShader_, buildBakeShader(gl, "bake/scatter_surface.vert",
+                                                             "bake/scatter_surface.frag"));
+    firstError.assign(passes.pointShader_,
+                      buildBakeShader(gl, "bake/scatter_point.vert", "bake/scatter_point.frag"));
     const MapStack& stack = settings.stack;
     const glm::ivec2 size(stack.mapSize.x, stack.mapSize.y * stack.count);
-    parts.keep(passes.surface_, target(raster, {Format::RGBA32F, Format::RG16F}, Depth::Depth32F,
-                                       "aolib/bake/surface"));
-    parts.keep(passes.sums_, target(size, {Format::RGBA32F}, Depth::None, "aolib/bake/sums"));
-    parts.keep(passes.facets_, gl::TextureStack::create(
-                                   gl, {size.x, size.y, 1, Format::R32F, "aolib/bake/facets"}));
-    parts.keep(passes.points_, gl::VertexArray::createEmpty(gl, "aolib/bake/points"));
-    if (!parts.status()) {
-        return parts.status();
+    firstError.assign(passes.surface_, target(raster, {Format::RGBA32F, Format::RG16F},
+                                              Depth::Depth32F, "aolib/bake/surface"));
+    firstError.assign(passes.sums_,
+                      target(size, {Format::RGBA32F}, Depth::None, "aolib/bake/sums"));
+    firstError.assign(passes.facets_, gl::TextureStack::create(gl, {size.x, size.y, 1, Format::R32F,
+                                                                    "aolib/bake/facets"}));
+    firstError.assign(passes.points_, gl::VertexArray::createEmpty(gl, "aolib/bake/points"));
+    if (!firstError.status()) {
+        return firstError.status();
     }
     passes.facets_.upload(0, {0, 0}, size, facets.data());
     passes.sums_.begin(0);

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "bake/gpu/BakeShaders.h"
-#include "bake/scatter/MadeParts.h"
+#include "bake/scatter/FirstError.h"
 
 namespace aolib::bake {
 
@@ -18,17 +18,18 @@ constexpr int slabsAtOnce = 16;
 Result<ScatterSlabs> ScatterSlabs::create(const gl::Functions& gl, int rasterSize,
                                           const BakeVertices& vertices) {
     ScatterSlabs slabs(gl, vertices);
-    MadeParts parts;
-    parts.keep(slabs.depthShader_, buildBakeShader(gl, "bake/depth.vert", "bake/depth.frag"));
-    parts.keep(slabs.hideShader_,
-               buildBakeShader(gl, "bake/fullscreen.vert", "bake/scatter_hide.frag"));
+    FirstError firstError;
+    firstError.assign(slabs.depthShader_,
+                      buildBakeShader(gl, "bake/depth.vert", "bake/depth.frag"));
+    firstError.assign(slabs.hideShader_,
+                      buildBakeShader(gl, "bake/fullscreen.vert", "bake/scatter_hide.frag"));
     gl::RenderToTexture2D::Settings settings;
     settings.width = settings.height = rasterSize;
     settings.depth = gl::RenderToTexture2D::Depth::Depth32F;
     settings.label = "aolib/bake/before";
-    parts.keep(slabs.before_, gl::RenderToTexture2D::create(gl, settings));
-    parts.keep(slabs.fullscreen_, gl::VertexArray::createEmpty(gl, "aolib/bake/fullscreen"));
-    return parts.status() ? Result<ScatterSlabs>(std::move(slabs)) : parts.status();
+    firstError.assign(slabs.before_, gl::RenderToTexture2D::create(gl, settings));
+    firstError.assign(slabs.fullscreen_, gl::VertexArray::createEmpty(gl, "aolib/bake/fullscreen"));
+    return firstError.status() ? Result<ScatterSlabs>(std::move(slabs)) : firstError.status();
 }
 
 void ScatterSlabs::begin(const LightView& view) {

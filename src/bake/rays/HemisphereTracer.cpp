@@ -81,7 +81,7 @@ HemisphereTracer::Start HemisphereTracer::startOf(const Receiver& receiver) cons
 }
 
 void HemisphereTracer::trace(std::span<const Receiver> receivers, int first, int last,
-                             std::span<Openness> results) {
+                             std::span<HemisphereSample> results) {
     std::array<Start, capacity> starts;
     bool alike = receivers.size() >= fewReceivers;
     for (std::size_t i = 0; i < receivers.size(); ++i) {
@@ -146,7 +146,7 @@ void HemisphereTracer::spread(const Start& start, std::size_t lane, std::uint32_
 }
 
 void HemisphereTracer::traceChunk(std::span<const Start> starts, int count, bool alike,
-                                  std::span<Openness> results) {
+                                  std::span<HemisphereSample> results) {
     Packet packet;
     const auto add = [&](std::size_t lane, std::size_t receiver, std::size_t slot) {
         const float open = weight_[slot] * (1.0F - packet.blocked[lane]);

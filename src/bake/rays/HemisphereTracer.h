@@ -18,19 +18,19 @@
 
 namespace aolib::bake {
 
-/// A place whose hemisphere is to be looked at.
+/// A point whose hemisphere is traced.
 struct Receiver {
     SurfacePoint point;
     SequenceSeed seed;
-    std::size_t place = 0; ///< where the answer goes
+    std::size_t place = 0; ///< index of its result
 };
 
-/// What a receiver's rays found.
-struct Openness {
-    float visibility = 0.0F;   ///< sum over open rays, by the measure; 1 per ray where all are
-    glm::vec3 direction{0.0F}; ///< sum over open rays, weighed alike; any length
-    OpenSectors open{};        ///< sums over open rays, weighed alike; where asked for
-    OpenSectors all{};         ///< over all rays
+/// Sums over the rays of a receiver, each with the weight that the measure gives it.
+struct HemisphereSample {
+    float visibility = 0.0F;   ///< sum of open rays' weights, on average 1 per open ray
+    glm::vec3 direction{0.0F}; ///< weighted sum of open rays' directions; any length
+    OpenSectors open{};        ///< sums of open rays' weights by sector, if `RayOptions::sectors`
+    OpenSectors all{};         ///< the same sums over all rays
 };
 
 /// Traces the hemispheres of up to 16 receivers in packets of 16 rays: rays of all receivers
@@ -46,7 +46,7 @@ public:
     /// Traces rays `first` to `last` - 1 of those that each receiver has.
     /// @param receivers  1 to `capacity`; `results` is as long.
     void trace(std::span<const Receiver> receivers, int first, int last,
-               std::span<Openness> results);
+               std::span<HemisphereSample> results);
 
 private:
     struct Start;
@@ -55,7 +55,7 @@ private:
     Start startOf(const Receiver& receiver) const;
     void spread(const Start& start, std::size_t lane, std::uint32_t first, int count);
     void traceChunk(std::span<const Start> starts, int count, bool alike,
-                    std::span<Openness> results);
+                    std::span<HemisphereSample> results);
     void load(Packet& packet, std::size_t lane, const Start& start, std::size_t slot) const;
     void weigh(Packet& packet, bool alike) const;
     float groundWeight(const Start& start, const glm::vec3& direction) const;

@@ -26,10 +26,10 @@ static_assert(tileSide * tileSide == int{HemisphereTracer::capacity});
 constexpr int vertexKind = 8191;
 
 /// The open share of each sector, W where no ray went.
-OpenSectors sharesOf(const Openness& openness, float visibility) {
+OpenSectors sharesOf(const HemisphereSample& sample, float visibility) {
     OpenSectors shares{};
     for (std::size_t k = 0; k < shares.size(); ++k) {
-        shares[k] = openness.all[k] > 0.0F ? openness.open[k] / openness.all[k] : visibility;
+        shares[k] = sample.all[k] > 0.0F ? sample.open[k] / sample.all[k] : visibility;
     }
     return shares;
 }
@@ -53,7 +53,7 @@ bool RayBaker::traceGroups(std::size_t groups, const SampleRange& rays, const Fi
     const auto body = [&](std::size_t begin, std::size_t end) {
         const auto tracer = std::make_unique<HemisphereTracer>(geometry_, rays_, options_);
         std::array<Receiver, HemisphereTracer::capacity> receivers;
-        std::array<Openness, HemisphereTracer::capacity> found;
+        std::array<HemisphereSample, HemisphereTracer::capacity> found;
         for (std::size_t group = begin; group < end; ++group) {
             const std::size_t count = fill(group, receivers.data());
             if (count == 0) {
@@ -94,8 +94,8 @@ AoStatus RayBaker::addRays(const SampleRange& rays, int number, MapSums& map,
         }
         return count;
     };
-    const auto take = [&](const Receiver& receiver, const Openness& openness) {
-        map.light[receiver.place] += glm::vec4(openness.direction, openness.visibility);
+    const auto take = [&](const Receiver& receiver, const HemisphereSample& sample) {
+        map.light[receiver.place] += glm::vec4(sample.direction, sample.visibility);
     };
     const bool done =
         traceGroups(static_cast<std::size_t>(across) * static_cast<std::size_t>(along), rays, fill,
@@ -130,11 +130,11 @@ Result<std::vector<glm::vec4>> RayBaker::tracePoints(const std::vector<SurfacePo
         }
         return end - group * size;
     };
-    const auto take = [&](const Receiver& receiver, const Openness& openness) {
-        const float visibility = openness.visibility / float(options_.rays);
-        values[receiver.place] = {visibility, unitOr(openness.direction, receiver.point.normal)};
+    const auto take = [&](const Receiver& receiver, const HemisphereSample& sample) {
+        const float visibility = sample.visibility / float(options_.rays);
+        values[receiver.place] = {visibility, unitOr(sample.direction, receiver.point.normal)};
         if (sectors != nullptr) {
-            (*sectors)[receiver.place] = sharesOf(openness, visibility);
+            (*sectors)[receiver.place] = sharesOf(sample, visibility);
         }
     };
     if (!traceGroups((points.size() + size - 1) / size, {0, options_.rays}, fill, take, progress)) {

@@ -30,7 +30,8 @@ public:
 private:
     /// Fills up to `HemisphereTracer::capacity` receivers of a group, and says how many.
     using FillGroup = std::function<std::size_t(std::size_t group, Receiver* receivers)>;
-    using TakeResult = std::function<void(const Receiver& receiver, const Openness& openness)>;
+    using TakeResult =
+        std::function<void(const Receiver& receiver, const HemisphereSample& sample)>;
 
     bool traceGroups(std::size_t groups, const SampleRange& rays, const FillGroup& fill,
                      const TakeResult& take, const BakeProgress& progress) const;

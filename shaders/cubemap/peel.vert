@@ -19,7 +19,7 @@ flat out float vSheet; // unique in the scene; 0 for a solid
 // Which side of a sheet has solid behind it: 1 the front, -1 the back, 0 neither.
 flat out float vLid;
 
-const float kSheets = 4194304.0; // as Solids::kSheets
+const float kSheets = 4194304.0; // as Solids::kOpenMesh
 
 float lidOf(float sheet) {
     for (int i = 0; i < uUnusualCount; ++i) {

@@ -34,7 +34,7 @@ constexpr std::uint32_t none = ~0U;
 class Neighbours {
 public:
     explicit Neighbours(const Surface& surface) {
-        const std::vector<std::uint32_t> place = placesOf(surface);
+        const std::vector<std::uint32_t> place = findPlaces(surface);
         std::unordered_map<std::uint64_t, std::array<std::uint32_t, 3>> edges;
         beside_.assign(surface.indices.size(), none);
         for (std::uint32_t corner = 0; corner < surface.indices.size(); ++corner) {
@@ -62,7 +62,7 @@ private:
         return corner % 3 == 2 ? corner - 2 : corner + 1;
     }
 
-    static std::vector<std::uint32_t> placesOf(const Surface& surface) {
+    static std::vector<std::uint32_t> findPlaces(const Surface& surface) {
         struct Hash {
             std::size_t operator()(const glm::vec3& p) const {
                 std::uint64_t hash = std::bit_cast<std::uint32_t>(p.x + 0.0F);

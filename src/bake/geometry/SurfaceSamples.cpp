@@ -16,7 +16,7 @@ constexpr double mostSamples = 4096.0;
 constexpr double step1 = 0.7548776662466927;
 constexpr double step2 = 0.5698402909980532;
 
-double areaOf(const Surface& surface, std::uint32_t triangle) {
+double computeArea(const Surface& surface, std::uint32_t triangle) {
     const std::uint32_t* index = &surface.indices[std::size_t{triangle} * 3];
     const glm::dvec3 a(surface.positions[index[0]]);
     return 0.5 * glm::length(glm::cross(glm::dvec3(surface.positions[index[1]]) - a,
@@ -29,7 +29,7 @@ void eachTriangle(const BakeGeometry& geometry, const Visit& visit) {
     for (std::uint32_t s = 0; s < surfaces.size(); ++s) {
         const auto triangles = static_cast<std::uint32_t>(surfaces[s].indices.size() / 3);
         for (std::uint32_t t = 0; surfaces[s].map >= 0 && t < triangles; ++t) {
-            const double area = areaOf(surfaces[s], t);
+            const double area = computeArea(surfaces[s], t);
             if (area > 0.0) {
                 visit(TriangleName{s, t}, area);
             }

@@ -62,7 +62,7 @@ Result<int> GpuBake::addDirections(const DirectionPlan& plan, const BakeProgress
             const auto index = static_cast<std::uint32_t>(i);
             const glm::dvec3 direction = lightDirection(plan.sky, geometry.up(), plan.seed, index);
             views.push_back(lightView(frame, box, direction, plan.pictureSize, plan.seed, index));
-            views.back().reach = radiusOf(reach, plan.seed, index);
+            views.back().reach = drawRadius(reach, plan.seed, index);
         }
         {
             const gl::StateGuard guard(*gl);

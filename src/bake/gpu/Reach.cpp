@@ -35,7 +35,7 @@ std::uint32_t sobolThird(std::uint32_t index) {
 
 } // namespace
 
-double radiusOf(const Reach& reach, std::uint32_t seed, std::uint32_t index) {
+double drawRadius(const Reach& reach, std::uint32_t seed, std::uint32_t index) {
     if (reach.endless()) {
         return std::numeric_limits<double>::infinity();
     }

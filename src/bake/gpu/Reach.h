@@ -20,7 +20,7 @@ struct Reach {
 /// The radius of a direction, frame units: what is nearer than that occludes; infinite where
 /// occluders have no end. Falloff::Exp takes its radii from one more dimension of the sequence of
 /// directions, and none below a 64th of its radius.
-double radiusOf(const Reach& reach, std::uint32_t seed, std::uint32_t index);
+double drawRadius(const Reach& reach, std::uint32_t seed, std::uint32_t index);
 
 /// Errors: InvalidOption, naming the least radius, where a scene would be cut into too many slabs.
 /// @param scale  frame units per world unit.

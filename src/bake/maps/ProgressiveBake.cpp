@@ -44,7 +44,7 @@ public:
     Result<std::vector<BakedMap>> maps() override;
 
 private:
-    BakedMap mapOf(const MapSums& sums) const;
+    BakedMap makeMap(const MapSums& sums) const;
 
     const MapOptions& options_;
     const TexelMethod& method_;
@@ -77,7 +77,7 @@ AoStatus ProgressiveBake::run(const BakeProgress& progress, const SnapshotCallba
     return {};
 }
 
-BakedMap ProgressiveBake::mapOf(const MapSums& sums) const {
+BakedMap ProgressiveBake::makeMap(const MapSums& sums) const {
     BakedMap map = emptyMap(sums.receivers.raster());
     const double norm = method_.norm(sums.samples);
     for (std::size_t i = 0; i < sums.light.size(); ++i) {
@@ -93,7 +93,7 @@ BakedMap ProgressiveBake::mapOf(const MapSums& sums) const {
 Result<std::vector<BakedMap>> ProgressiveBake::maps() try {
     std::vector<BakedMap> maps;
     for (const MapSums& sums : maps_) {
-        maps.push_back(mapOf(sums));
+        maps.push_back(makeMap(sums));
     }
     return maps;
 } catch (const std::bad_alloc&) {

@@ -41,7 +41,7 @@ AoStatus check(const ViewPixels& view) {
 
 } // namespace
 
-Result<std::vector<SurfacePoint>> receiversOf(const ViewPixels& view) {
+Result<std::vector<SurfacePoint>> findReceivers(const ViewPixels& view) {
     if (AoStatus status = check(view); !status) {
         return status;
     }
@@ -70,7 +70,7 @@ Result<std::vector<SurfacePoint>> receiversOf(const ViewPixels& view) {
     return points;
 }
 
-BakedMap pictureOf(const ViewPixels& view, std::span<const glm::vec4> values) {
+BakedMap makePicture(const ViewPixels& view, std::span<const glm::vec4> values) {
     const std::size_t pixels = view.normals.size();
     BakedMap picture{view.width, view.height, std::vector<float>(pixels, -1.0F),
                      std::vector<glm::vec3>(pixels, glm::vec3(0.0F)),

@@ -15,10 +15,10 @@ namespace aolib::bake {
 
 /// The receivers of a view, of those pixels that show something, in their order. Errors:
 /// InvalidOption (sizes), InvalidPosition, InvalidNormal.
-Result<std::vector<SurfacePoint>> receiversOf(const ViewPixels& view);
+Result<std::vector<SurfacePoint>> findReceivers(const ViewPixels& view);
 
 /// The view as a picture.
 /// @param values  of the receivers, in their order: W, and the direction as xyz in the last three.
-BakedMap pictureOf(const ViewPixels& view, std::span<const glm::vec4> values);
+BakedMap makePicture(const ViewPixels& view, std::span<const glm::vec4> values);
 
 } // namespace aolib::bake

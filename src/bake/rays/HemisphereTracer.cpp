@@ -64,7 +64,7 @@ HemisphereTracer::HemisphereTracer(const BakeGeometry& geometry, const RayScene&
     }
 }
 
-HemisphereTracer::Start HemisphereTracer::startOf(const Receiver& receiver) const {
+HemisphereTracer::Start HemisphereTracer::makeStart(const Receiver& receiver) const {
     const SurfacePoint& point = receiver.point;
     const glm::dvec3 lifted =
         point.position + scene_.resolution(point.position, point.plane) * point.plane;
@@ -85,7 +85,7 @@ void HemisphereTracer::trace(std::span<const Receiver> receivers, int first, int
     std::array<Start, capacity> starts;
     bool alike = receivers.size() >= fewReceivers;
     for (std::size_t i = 0; i < receivers.size(); ++i) {
-        starts[i] = startOf(receivers[i]);
+        starts[i] = makeStart(receivers[i]);
         alike = alike && glm::dot(starts[i].basis[2], starts[0].basis[2]) >= alikeCosine;
         results[i] = {};
     }

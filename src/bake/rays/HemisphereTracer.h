@@ -52,7 +52,7 @@ private:
     struct Start;
     struct Packet;
 
-    Start startOf(const Receiver& receiver) const;
+    Start makeStart(const Receiver& receiver) const;
     void spread(const Start& start, std::size_t lane, std::uint32_t first, int count);
     void traceChunk(std::span<const Start> starts, int count, bool alike,
                     std::span<HemisphereSample> results);

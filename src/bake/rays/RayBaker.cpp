@@ -26,7 +26,7 @@ static_assert(tileSide * tileSide == int{HemisphereTracer::capacity});
 constexpr int vertexKind = 8191;
 
 /// The open share of each sector, W where no ray went.
-OpenSectors sharesOf(const HemisphereSample& sample, float visibility) {
+OpenSectors computeOpenShares(const HemisphereSample& sample, float visibility) {
     OpenSectors shares{};
     for (std::size_t k = 0; k < shares.size(); ++k) {
         shares[k] = sample.all[k] > 0.0F ? sample.open[k] / sample.all[k] : visibility;
@@ -41,7 +41,7 @@ glm::vec3 unitOr(const glm::vec3& v, const glm::dvec3& fallback) {
 
 } // namespace
 
-SequenceSeed RayBaker::seedOf(int kind, std::size_t a, std::size_t b) const {
+SequenceSeed RayBaker::makeSeed(int kind, std::size_t a, std::size_t b) const {
     const SequenceSeed own = sequenceSeed(kind, static_cast<int>(a), static_cast<int>(b));
     const SequenceSeed user = sequenceSeed(0, 0, static_cast<int>(options_.seed & 0x7fffffffU));
     return options_.seed == 0 ? own
@@ -87,7 +87,7 @@ AoStatus RayBaker::addRays(const SampleRange& rays, int number, MapSums& map,
                 if (const auto point = map.receivers.at(texel)) {
                     receivers[count++] = {
                         *point,
-                        seedOf(number, static_cast<std::size_t>(x), static_cast<std::size_t>(y)),
+                        makeSeed(number, static_cast<std::size_t>(x), static_cast<std::size_t>(y)),
                         texel};
                 }
             }
@@ -125,7 +125,7 @@ Result<std::vector<glm::vec4>> RayBaker::tracePoints(const std::vector<SurfacePo
     const auto fill = [&](std::size_t group, Receiver* receivers) {
         const std::size_t end = std::min(points.size(), (group + 1) * size);
         for (std::size_t i = group * size; i < end; ++i) {
-            receivers[i - group * size] = {points[i], seedOf(vertexKind, i >> 20U, i & 0xfffffU),
+            receivers[i - group * size] = {points[i], makeSeed(vertexKind, i >> 20U, i & 0xfffffU),
                                            i};
         }
         return end - group * size;
@@ -134,7 +134,7 @@ Result<std::vector<glm::vec4>> RayBaker::tracePoints(const std::vector<SurfacePo
         const float visibility = sample.visibility / float(options_.rays);
         values[receiver.place] = {visibility, unitOr(sample.direction, receiver.point.normal)};
         if (sectors != nullptr) {
-            (*sectors)[receiver.place] = sharesOf(sample, visibility);
+            (*sectors)[receiver.place] = computeOpenShares(sample, visibility);
         }
     };
     if (!traceGroups((points.size() + size - 1) / size, {0, options_.rays}, fill, take, progress)) {
@@ -167,12 +167,12 @@ Result<std::vector<BakedVertices>> RayBaker::bakeVertices(const VertexOptions& o
 }
 
 Result<BakedMap> RayBaker::bakeView(const ViewPixels& view, const BakeProgress& progress) try {
-    const Result<std::vector<SurfacePoint>> points = receiversOf(view);
+    const Result<std::vector<SurfacePoint>> points = findReceivers(view);
     if (!points) {
         return points.status();
     }
     const Result<std::vector<glm::vec4>> values = tracePoints(*points, nullptr, progress);
-    return values ? Result<BakedMap>(pictureOf(view, *values)) : values.status();
+    return values ? Result<BakedMap>(makePicture(view, *values)) : values.status();
 } catch (const std::bad_alloc&) {
     return noMemoryForView();
 }

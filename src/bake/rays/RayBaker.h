@@ -42,7 +42,7 @@ private:
     Result<std::vector<glm::vec4>> tracePoints(const std::vector<SurfacePoint>& points,
                                                std::vector<OpenSectors>* sectors,
                                                const BakeProgress& progress) const;
-    SequenceSeed seedOf(int kind, std::size_t a, std::size_t b) const;
+    SequenceSeed makeSeed(int kind, std::size_t a, std::size_t b) const;
 
     BakeGeometry geometry_;
     RayScene rays_;

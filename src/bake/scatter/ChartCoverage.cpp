@@ -37,8 +37,8 @@ struct ChartTriangle {
     }
 };
 
-ChartTriangle chartTriangleOf(const Surface& surface, std::uint32_t triangle,
-                              const MapStack& stack) {
+ChartTriangle makeChartTriangle(const Surface& surface, std::uint32_t triangle,
+                                const MapStack& stack) {
     ChartTriangle corners;
     for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t vertex = surface.indices[std::size_t{triangle} * 3 + k];
@@ -82,7 +82,7 @@ std::vector<float> chartCoverage(const BakeGeometry& geometry, std::span<const P
         for (std::uint32_t t = 0; t < surfaces[s].indices.size() / 3; ++t) {
             const PointShape& shape = shapes[geometry.numberOf({s, t})];
             if (shape.facet > 0.0F) {
-                addTriangle(chartTriangleOf(surfaces[s], t, stack), shape);
+                addTriangle(makeChartTriangle(surfaces[s], t, stack), shape);
             }
         }
     }

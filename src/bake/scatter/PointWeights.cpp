@@ -30,14 +30,15 @@ PointWeights::PointWeights(const BakeGeometry& geometry, const BakeFrame& frame,
         for (std::uint32_t t = 0; surface.map >= 0 && t < count; ++t) {
             if (settings.barycentric ||
                 uvFault(surface, t, glm::dvec2(settings.mapSize)) == UvFault::None) {
-                triangles_[geometry.numberOf({s, t})] = triangleOf(surface, t, frame, settings);
+                triangles_[geometry.numberOf({s, t})] = makeTriangle(surface, t, frame, settings);
             }
         }
     }
 }
 
-PointWeights::Triangle PointWeights::triangleOf(const Surface& surface, std::uint32_t number,
-                                                const BakeFrame& frame, const Settings& settings) {
+PointWeights::Triangle PointWeights::makeTriangle(const Surface& surface, std::uint32_t number,
+                                                  const BakeFrame& frame,
+                                                  const Settings& settings) {
     std::array<glm::dvec3, 3> p;
     std::array<glm::dvec2, 3> uv;
     std::array<glm::dvec3, 3> normals;

@@ -43,8 +43,8 @@ private:
         glm::vec3 height{0.0F}; ///< above the ground in the middle, frame units; and along u, v
         float density = 0.0F;   ///< square texels per square frame unit
     };
-    static Triangle triangleOf(const Surface& surface, std::uint32_t number, const BakeFrame& frame,
-                               const Settings& settings);
+    static Triangle makeTriangle(const Surface& surface, std::uint32_t number,
+                                 const BakeFrame& frame, const Settings& settings);
 
     glm::vec3 up_;
     std::vector<Triangle> triangles_;

@@ -41,7 +41,7 @@ int rasterSizeFor(const VertexSums& sums, int wanted, int most) {
 }
 
 /// Of each vertex the mean over what is about it, nearer places counting more.
-std::vector<glm::vec4> meansOf(const VertexSums& sums, double norm) {
+std::vector<glm::vec4> computeMeans(const VertexSums& sums, double norm) {
     std::vector<glm::vec4> values;
     values.reserve(sums.light().size());
     for (std::size_t i = 0; i < sums.light().size(); ++i) {
@@ -135,7 +135,7 @@ Result<std::vector<BakedVertices>> ScatterBaker::bakeVertices(const VertexOption
         return status;
     }
     const double norm = cosineNorm(options_.sky, options_.directions);
-    std::vector<glm::vec4> values = meansOf(sums, norm);
+    std::vector<glm::vec4> values = computeMeans(sums, norm);
     if (options.fit == VertexFit::LeastSquares) {
         std::vector<glm::dvec4> integrals = sums.light();
         for (glm::dvec4& integral : integrals) {

@@ -216,7 +216,7 @@ void ScatterMaps::fetch() {
     }
 }
 
-BakedMap ScatterMaps::mapOf(std::size_t number) const {
+BakedMap ScatterMaps::makeMap(std::size_t number) const {
     const TexelRaster& raster = rasters_[number];
     const std::size_t start = number * raster.size();
     const TexelSums own{{options_.width, options_.height},
@@ -256,7 +256,7 @@ Result<std::vector<BakedMap>> ScatterMaps::maps() try {
     fetch();
     std::vector<BakedMap> maps;
     for (std::size_t number = 0; number < rasters_.size(); ++number) {
-        maps.push_back(mapOf(number));
+        maps.push_back(makeMap(number));
     }
     return maps;
 } catch (const std::bad_alloc&) {

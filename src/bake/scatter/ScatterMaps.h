@@ -36,7 +36,7 @@ private:
     Result<int> addDirections(const PointTarget& target, const BakeProgress& progress,
                               const SnapshotCallback& onSnapshot);
     void fetch();
-    BakedMap mapOf(std::size_t number) const;
+    BakedMap makeMap(std::size_t number) const;
     std::size_t stackStart() const;
     std::size_t stackSize() const;
 

@@ -21,8 +21,8 @@ struct Density {
     double area;
 };
 
-Density densityOf(const Surface& surface, std::uint32_t triangle, const glm::dvec2& mapSize,
-                  double scale) {
+Density computeDensity(const Surface& surface, std::uint32_t triangle, const glm::dvec2& mapSize,
+                       double scale) {
     const auto [t1, t2, xx, xy, yy, determinant] = UvMetric::of(surface, triangle, mapSize, scale);
     const double area = 0.5 * std::abs(t1.x * t2.y - t1.y * t2.x);
     if (determinant <= 0.0) {
@@ -48,7 +48,7 @@ double texelsAlongUnit(const BakeGeometry& geometry, const BakeFrame& frame,
             if (uvFault(surface, t, mapSize) != UvFault::None) {
                 continue;
             }
-            const Density density = densityOf(surface, t, mapSize, frame.scale());
+            const Density density = computeDensity(surface, t, mapSize, frame.scale());
             if (density.area > 0.0) {
                 densities.push_back(density);
                 total += density.area;

@@ -13,7 +13,8 @@ namespace {
 
 using Format = gl::RenderToTexture2D::Format;
 
-FrameBox boxOf(const BakeFrame& frame, std::span<const std::optional<SurfacePoint>> receivers) {
+FrameBox computeBox(const BakeFrame& frame,
+                    std::span<const std::optional<SurfacePoint>> receivers) {
     glm::dvec3 low(std::numeric_limits<double>::infinity());
     glm::dvec3 high = -low;
     for (const std::optional<SurfacePoint>& receiver : receivers) {
@@ -58,7 +59,7 @@ Result<ReceiverSums> ReceiverSums::create(const gl::Functions& gl, const glm::iv
 
 void ReceiverSums::begin(const BakeFrame& frame,
                          std::span<const std::optional<SurfacePoint>> receivers) {
-    box_ = boxOf(frame, receivers);
+    box_ = computeBox(frame, receivers);
     sums_.begin(0);
     const glm::vec4 nothing(0.0F);
     gl_->ClearBufferfv(GL_COLOR, 0, glm::value_ptr(nothing));

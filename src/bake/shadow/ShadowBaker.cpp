@@ -61,9 +61,9 @@ Result<ShadowBaker::Work> ShadowBaker::workFor(const BakeVertices& vertices,
 }
 
 /// Sums up what some of the directions light at receivers.
-Result<std::vector<glm::vec4>> ShadowBaker::sumsOf(Work& work, Receivers receivers,
-                                                   const SampleRange& directions,
-                                                   const BakeProgress& progress) const {
+Result<std::vector<glm::vec4>> ShadowBaker::computeSums(Work& work, Receivers receivers,
+                                                        const SampleRange& directions,
+                                                        const BakeProgress& progress) const {
     {
         const gl::StateGuard guard(*gpu_.gl);
         work.sums.begin(gpu_.frame, receivers);
@@ -117,7 +117,7 @@ Result<std::vector<BakedMap>> ShadowBaker::bakeMaps(const MapOptions& options,
         for (std::size_t i = 0; i < points.size(); ++i) {
             points[i] = map.receivers.at(i);
         }
-        const Result<std::vector<glm::vec4>> sums = sumsOf(*work, points, directions, share);
+        const Result<std::vector<glm::vec4>> sums = computeSums(*work, points, directions, share);
         if (!sums) {
             return sums.status();
         }
@@ -155,7 +155,7 @@ Result<std::vector<glm::vec4>> ShadowBaker::valuesAt(const std::vector<SurfacePo
         return work.status();
     }
     const Result<std::vector<glm::vec4>> sums =
-        sumsOf(*work, receivers, {0, options_.directions}, progress);
+        computeSums(*work, receivers, {0, options_.directions}, progress);
     if (!sums) {
         return sums.status();
     }
@@ -194,7 +194,7 @@ Result<std::vector<BakedVertices>> ShadowBaker::bakeVertices(const VertexOptions
 }
 
 Result<BakedMap> ShadowBaker::bakeView(const ViewPixels& view, const BakeProgress& progress) try {
-    const Result<std::vector<SurfacePoint>> points = receiversOf(view);
+    const Result<std::vector<SurfacePoint>> points = findReceivers(view);
     if (!points) {
         return points.status();
     }
@@ -206,7 +206,7 @@ Result<BakedMap> ShadowBaker::bakeView(const ViewPixels& view, const BakeProgres
     if (values && progress) {
         progress(1.0);
     }
-    return values ? Result<BakedMap>(pictureOf(view, *values)) : values.status();
+    return values ? Result<BakedMap>(makePicture(view, *values)) : values.status();
 } catch (const std::bad_alloc&) {
     return noMemoryForView();
 }

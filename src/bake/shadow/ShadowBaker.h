@@ -37,9 +37,9 @@ private:
     };
 
     Result<Work> workFor(const BakeVertices& vertices, const glm::ivec2& size) const;
-    Result<std::vector<glm::vec4>> sumsOf(Work& work, Receivers receivers,
-                                          const SampleRange& directions,
-                                          const BakeProgress& progress) const;
+    Result<std::vector<glm::vec4>> computeSums(Work& work, Receivers receivers,
+                                               const SampleRange& directions,
+                                               const BakeProgress& progress) const;
     Result<std::vector<glm::vec4>> valuesAt(const std::vector<SurfacePoint>& points,
                                             const BakeProgress& progress) const;
 

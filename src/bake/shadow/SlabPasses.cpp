@@ -21,7 +21,7 @@ struct SlabRange {
 };
 
 /// The slabs that a box lies in, and what is lifted off it by a length.
-SlabRange slabsOf(const Slabs& slabs, const FrameBox& box, double lift) {
+SlabRange findSlabs(const Slabs& slabs, const FrameBox& box, double lift) {
     const glm::dvec3 axis(slabs.axis());
     const auto middle = double{slabs.coordinate(glm::vec3(box.centre))};
     const double half = glm::dot(glm::abs(axis), box.half) + glm::length(axis) * lift + 1e-3;
@@ -29,7 +29,7 @@ SlabRange slabsOf(const Slabs& slabs, const FrameBox& box, double lift) {
             std::clamp(static_cast<int>(std::floor(middle + half)), 0, slabs.count() - 1) + 1};
 }
 
-double texelOf(const LightView& view) {
+double computeTexelSide(const LightView& view) {
     return std::max(view.pixel.x, view.pixel.y);
 }
 
@@ -70,7 +70,8 @@ AoStatus SlabPasses::addDirections(std::span<const LightView> views, ReceiverSum
     for (const LightView& view : views) {
         const Slabs slabs(view);
         triangles_.begin(slabs);
-        const SlabRange range = slabsOf(slabs, sums.box(), double{settings_.bias} * texelOf(view));
+        const SlabRange range =
+            findSlabs(slabs, sums.box(), double{settings_.bias} * computeTexelSide(view));
         for (int first = range.first; first < range.last;) {
             const int count = std::min(range.last - first, pairs_ - used);
             runs_.push_back({&view, slabs, first, count, used});
@@ -127,7 +128,7 @@ void SlabPasses::gather(ReceiverSums& sums) {
         const Run& run = runs_[i];
         axes.push_back(run.slabs.axis());
         runs.emplace_back(run.first, run.count, run.pair, float(std::min(run.view->reach, 1e30)));
-        directions.emplace_back(glm::vec3(run.view->direction), float(texelOf(*run.view)));
+        directions.emplace_back(glm::vec3(run.view->direction), float(computeTexelSide(*run.view)));
         gatherShader_.set(("uToLight[" + std::to_string(i) + "]").c_str(), run.view->toClip);
     }
     gatherShader_.set("uAxes", std::span<const glm::vec4>(axes));

@@ -16,8 +16,8 @@ constexpr double closeEnough = 1e-5;
 
 using Values = std::vector<glm::dvec4>;
 
-std::array<std::uint32_t, 3> cornersOf(const BakeGeometry& geometry, const VertexWeld& weld,
-                                       const TriangleName& name) {
+std::array<std::uint32_t, 3> findCorners(const BakeGeometry& geometry, const VertexWeld& weld,
+                                         const TriangleName& name) {
     const std::vector<std::uint32_t>& index = geometry.scene().surfaces[name.surface].indices;
     const std::vector<std::uint32_t>& number = weld.number[name.surface];
     const std::size_t first = std::size_t{name.triangle} * 3;
@@ -32,7 +32,7 @@ public:
         : samples_(samples), smoothness_(smoothness / 3.0), size_(weld.points.size()) {
         corners_.reserve(samples.size());
         for (const SurfaceSample& sample : samples) {
-            corners_.push_back(cornersOf(geometry, weld, sample.triangle));
+            corners_.push_back(findCorners(geometry, weld, sample.triangle));
         }
     }
 
@@ -143,7 +143,7 @@ std::vector<glm::vec4> meanAboutVertices(const BakeGeometry& geometry, const Ver
     Values sums(weld.points.size(), glm::dvec4(0.0));
     std::vector<int> counts(weld.points.size(), 0);
     for (std::size_t i = 0; i < samples.size(); ++i) {
-        for (const std::uint32_t corner : cornersOf(geometry, weld, samples[i].triangle)) {
+        for (const std::uint32_t corner : findCorners(geometry, weld, samples[i].triangle)) {
             sums[corner] += glm::dvec4(values[i]);
             ++counts[corner];
         }

@@ -20,7 +20,7 @@ namespace {
 
 /// Texels along a tile's edge: a tile is a group of receivers.
 constexpr int tileSide = 4;
-static_assert(tileSide * tileSide == int{HemisphereTracer::capacity});
+static_assert(tileSide * tileSide == int{ReceiverTracer::capacity});
 
 /// Kinds of receivers draw their rays from sequences of their own.
 constexpr int vertexKind = 8191;
@@ -51,9 +51,9 @@ SequenceSeed RayBaker::makeSeed(int kind, std::size_t a, std::size_t b) const {
 bool RayBaker::traceGroups(std::size_t groups, const SampleRange& rays, const FillGroup& fill,
                            const TakeResult& take, const BakeProgress& progress) const {
     const auto body = [&](std::size_t begin, std::size_t end) {
-        const auto tracer = std::make_unique<HemisphereTracer>(geometry_, rays_, options_);
-        std::array<Receiver, HemisphereTracer::capacity> receivers;
-        std::array<HemisphereSample, HemisphereTracer::capacity> found;
+        const auto tracer = std::make_unique<ReceiverTracer>(geometry_, rays_, options_);
+        std::array<Receiver, ReceiverTracer::capacity> receivers;
+        std::array<HemisphereSample, ReceiverTracer::capacity> found;
         for (std::size_t group = begin; group < end; ++group) {
             const std::size_t count = fill(group, receivers.data());
             if (count == 0) {
@@ -117,7 +117,7 @@ Result<std::vector<BakedMap>> RayBaker::bakeMaps(const MapOptions& options,
 Result<std::vector<glm::vec4>> RayBaker::tracePoints(const std::vector<SurfacePoint>& points,
                                                      std::vector<OpenSectors>* sectors,
                                                      const BakeProgress& progress) const {
-    constexpr std::size_t size = HemisphereTracer::capacity;
+    constexpr std::size_t size = ReceiverTracer::capacity;
     std::vector<glm::vec4> values(points.size());
     if (sectors != nullptr) {
         sectors->resize(points.size());

@@ -9,7 +9,7 @@
 #include "bake/geometry/BakeGeometry.h"
 #include "bake/maps/ProgressiveBake.h"
 #include "bake/maps/TexelReceivers.h"
-#include "bake/rays/HemisphereTracer.h"
+#include "bake/rays/ReceiverTracer.h"
 #include "bake/vertices/VertexWeld.h"
 #include "raytracing/RayScene.h"
 
@@ -28,7 +28,7 @@ public:
     Result<BakedMap> bakeView(const ViewPixels& view, const BakeProgress& progress) override;
 
 private:
-    /// Fills up to `HemisphereTracer::capacity` receivers of a group, and says how many.
+    /// Fills up to `ReceiverTracer::capacity` receivers of a group, and says how many.
     using FillGroup = std::function<std::size_t(std::size_t group, Receiver* receivers)>;
     using TakeResult =
         std::function<void(const Receiver& receiver, const HemisphereSample& sample)>;

@@ -19,7 +19,7 @@ flat out float vOpenMesh; // unique in the scene; 0 for a solid
 // Which side of an open mesh has solid behind it: 1 the front, -1 the back, 0 neither.
 flat out float vShell;
 
-const float kOpenMeshes = 4194304.0; // as Solids::kOpenMeshes
+const float kOpenMeshes = 4194304.0; // as Solids::kOpenMesh
 
 float shellOf(float openMesh) {
     for (int i = 0; i < uUnusualCount; ++i) {

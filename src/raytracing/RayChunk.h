@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -26,6 +27,13 @@ struct RayChunk {
     /// @param start  the first ray's place in the sequence, a multiple of `count`.
     /// @param count  rays, a power of two up to the capacity.
     void fill(SequenceSeed seed, std::uint32_t start, int count);
+
+    /// Returns the length of the longest chunk of rays `start` to `end` - 1 that begins at `start`:
+    /// a power of two that `start` is a multiple of. @param end  above `start`.
+    static constexpr std::uint32_t longest(std::uint32_t start, std::uint32_t end) {
+        const std::uint32_t alignment = start == 0 ? capacity : start & (~start + 1);
+        return std::min({std::uint32_t{capacity}, alignment, std::bit_floor(end - start)});
+    }
 };
 
 namespace ray_chunk {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <new>
 #include <string>
-#include <thread>
 
+#include "parallel/CoreCount.h"
 #include "raytracing/RayScene.h"
 #include "raytracing/TexelTracer.h"
 
@@ -16,7 +16,7 @@ constexpr int mostThreads = 1024;
 
 /// One per core but one, which draws.
 int spareCores() {
-    return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1);
+    return std::max(1, coreCount() - 1);
 }
 
 } // namespace

@@ -1,7 +1,6 @@
 #include "raytracing/RequestTracer.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <string>
 
@@ -173,16 +172,14 @@ RequestTracer::RayPattern RequestTracer::rayPattern(const SurfaceFinder::Texel& 
     return {{right, glm::cross(normal, right), normal}, sequenceSeed(0, place.at.x, place.at.y)};
 }
 
-/// Cuts the rays into chunks that are as long as they can be: a power of two, starting at a
-/// multiple of it.
+/// Traces the group's rays, in chunks that are as long as they can be.
 bool RequestTracer::traceGroup() {
     const TexelRequest& request = result_.request;
     const int end = request.firstRay + request.rays;
     std::array<double, SurfaceGroup::capacity> sums{};
     for (int start = request.firstRay; start < end;) {
-        const int alignment = start == 0 ? RayChunk::capacity : start & -start;
-        const int left = static_cast<int>(std::bit_floor(static_cast<unsigned>(end - start)));
-        const int count = std::min({RayChunk::capacity, alignment, left});
+        const int count = static_cast<int>(
+            RayChunk::longest(static_cast<std::uint32_t>(start), static_cast<std::uint32_t>(end)));
         GroupTracer::Sums chunk{};
         tracer_.trace(group_, static_cast<std::uint32_t>(start), count, chunk);
         std::transform(sums.begin(), sums.end(), chunk.begin(), sums.begin(),

@@ -173,7 +173,7 @@ EnvironmentSampler::Sample EnvironmentSampler::at(const glm::dvec3& direction) c
 
 Result<LightList> traceEnvironment(const RayScene& scene, const lighting::EnvironmentMap& map,
                                    std::span<const Receiver> receivers,
-                                   const LightSettings& settings, const TraceProgress& progress) {
+                                   const LightSettings& settings, const LoopProgress& progress) {
     if (AoStatus status = check(map, receivers, settings); !status) {
         return status;
     }

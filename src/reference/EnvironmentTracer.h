@@ -9,8 +9,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "parallel/ParallelLoop.h"
 #include "raytracing/RayScene.h"
-#include "reference/ParallelLoop.h"
 #include "reference/VisibilityTracer.h"
 
 namespace aolib {
@@ -60,6 +60,6 @@ struct LightList {
 Result<LightList> traceEnvironment(const RayScene& scene, const lighting::EnvironmentMap& map,
                                    std::span<const Receiver> receivers,
                                    const LightSettings& settings,
-                                   const TraceProgress& progress = {});
+                                   const LoopProgress& progress = {});
 
 } // namespace aolib

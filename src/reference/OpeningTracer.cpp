@@ -70,7 +70,7 @@ Opening openingOf(const RayScene& scene, const Receiver& receiver, int cells, st
 } // namespace
 
 std::vector<Opening> traceOpenings(const RayScene& scene, std::span<const Receiver> receivers,
-                                   int rays, std::uint64_t seed, const TraceProgress& progress) {
+                                   int rays, std::uint64_t seed, const LoopProgress& progress) {
     const int cells = static_cast<int>(std::ceil(std::sqrt(double(std::max(rays, 1)))));
     std::vector<Opening> openings(receivers.size());
     const auto body = [&](std::size_t begin, std::size_t end) {

@@ -7,8 +7,8 @@
 
 #include <glm/vec3.hpp>
 
+#include "parallel/ParallelLoop.h"
 #include "raytracing/RayScene.h"
-#include "reference/ParallelLoop.h"
 #include "reference/VisibilityTracer.h"
 
 namespace aolib {
@@ -26,7 +26,6 @@ struct Opening {
 /// The openings of receivers, whose normals are unit length, by `rays` (at least 1; rounded up to a
 /// square) rays each, spread evenly over solid angle. Occluders have no end and are two-sided.
 std::vector<Opening> traceOpenings(const RayScene& scene, std::span<const Receiver> receivers,
-                                   int rays, std::uint64_t seed,
-                                   const TraceProgress& progress = {});
+                                   int rays, std::uint64_t seed, const LoopProgress& progress = {});
 
 } // namespace aolib

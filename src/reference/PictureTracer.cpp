@@ -115,7 +115,7 @@ void PixelTracer::trace(std::size_t pixel, Picture& picture) const {
 } // namespace
 
 Result<Picture> tracePicture(const RayScene& scene, const PictureCamera& camera,
-                             const PictureSettings& settings, const TraceProgress& progress) {
+                             const PictureSettings& settings, const LoopProgress& progress) {
     if (AoStatus status = check(camera); !status) {
         return status;
     }

@@ -50,6 +50,6 @@ struct Picture {
 /// seen, but still occludes.
 /// Errors: InvalidCamera, InvalidOption.
 Result<Picture> tracePicture(const RayScene& scene, const PictureCamera& camera,
-                             const PictureSettings& settings, const TraceProgress& progress = {});
+                             const PictureSettings& settings, const LoopProgress& progress = {});
 
 } // namespace aolib

@@ -102,7 +102,7 @@ VisibilityEstimate VisibilityTracer::estimate(const Receiver& receiver, std::uin
 }
 
 Result<VisibilityList> VisibilityTracer::trace(std::span<const Receiver> receivers,
-                                               const TraceProgress& progress) const {
+                                               const LoopProgress& progress) const {
     if (AoStatus status = check(receivers); !status) {
         return status;
     }

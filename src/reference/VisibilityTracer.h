@@ -9,8 +9,8 @@
 #include <aolib/Status.h>
 #include <glm/vec3.hpp>
 
+#include "parallel/ParallelLoop.h"
 #include "raytracing/RayScene.h"
-#include "reference/ParallelLoop.h"
 
 namespace aolib {
 
@@ -67,7 +67,7 @@ public:
     /// W at every receiver, random numbers by its place in the list.
     /// Errors: InvalidPosition, InvalidNormal (not finite or zero), naming the receiver.
     Result<VisibilityList> trace(std::span<const Receiver> receivers,
-                                 const TraceProgress& progress = {}) const;
+                                 const LoopProgress& progress = {}) const;
 
     int raysTraced() const { return 2 * cells_ * cells_; }
     const TraceSettings& settings() const { return settings_; }

@@ -117,7 +117,7 @@ Solids findSolids(const Mesh& mesh) {
     for (std::size_t t = 0; t < welded.size(); t += 3) {
         const std::uint32_t root = components.find(welded[t]);
         if (!closed[root]) {
-            solids.sheets = true;
+            solids.openMesh = true;
             continue;
         }
         const auto [entry, isNew] =
@@ -134,23 +134,23 @@ Solids findSolids(const Mesh& mesh) {
         }
         volumes[entry->second] += volume(corner[0], corner[1], corner[2]);
     }
-    const std::uint32_t sheet = Solids::kOpenMeshes + solids.count();
-    solids.solidOfVertex.assign(mesh.positions.size(), sheet);
+    const std::uint32_t openMesh = Solids::kOpenMesh + solids.count();
+    solids.solidOfVertex.assign(mesh.positions.size(), openMesh);
     for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
         const auto found = solidOfRoot.find(components.find(first[v]));
-        solids.solidOfVertex[v] = found == solidOfRoot.end() ? sheet : found->second + 1;
+        solids.solidOfVertex[v] = found == solidOfRoot.end() ? openMesh : found->second + 1;
     }
     for (std::size_t t = 0; t < solids.indices.size(); t += 3) {
         const std::uint32_t solid = solids.solidOfVertex[solids.indices[t]];
-        if (solid < Solids::kOpenMeshes && volumes[solid - 1] < 0.0) {
+        if (solid < Solids::kOpenMesh && volumes[solid - 1] < 0.0) {
             std::swap(solids.indices[t + 1], solids.indices[t + 2]);
         }
     }
     return solids;
 }
 
-std::vector<std::uint32_t> solidsAround(const Mesh& mesh, const Solids& solids,
-                                        const glm::vec3& point) {
+std::vector<std::uint32_t> enclosingSolids(const Mesh& mesh, const Solids& solids,
+                                           const glm::vec3& point) {
     std::vector<bool> inside(solids.bounds.size(), false);
     bool any = false;
     for (const Bounds& bounds : solids.bounds) {
@@ -163,7 +163,7 @@ std::vector<std::uint32_t> solidsAround(const Mesh& mesh, const Solids& solids,
     const glm::dvec3 direction = glm::normalize(glm::dvec3(0.5773, 0.6181, 0.5336));
     for (std::size_t t = 0; t < solids.indices.size(); t += 3) {
         const std::uint32_t solid = solids.solidOfVertex[solids.indices[t]];
-        if (solid >= Solids::kOpenMeshes || !solids.bounds[solid - 1].contains(point)) {
+        if (solid >= Solids::kOpenMesh || !solids.bounds[solid - 1].contains(point)) {
             continue;
         }
         const auto corner = [&](std::size_t k) {
@@ -182,13 +182,13 @@ std::vector<std::uint32_t> solidsAround(const Mesh& mesh, const Solids& solids,
             inside[solid - 1] = !inside[solid - 1];
         }
     }
-    std::vector<std::uint32_t> around;
+    std::vector<std::uint32_t> enclosing;
     for (std::uint32_t s = 0; s < inside.size(); ++s) {
         if (inside[s]) {
-            around.push_back(s);
+            enclosing.push_back(s);
         }
     }
-    return around;
+    return enclosing;
 }
 
 } // namespace aolib

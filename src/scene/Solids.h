@@ -9,35 +9,38 @@
 
 namespace aolib {
 
-/// Which parts of a mesh enclose space. Vertices at equal positions are welded; a connected
-/// component is solid when each of its edges is run through as often one way as the other. Only in
-/// a solid does a front face along a ray belong to the next back face; everything else is a sheet.
+/// The closed parts of a mesh. Vertices at equal positions are welded; a connected component is a
+/// solid if each of its edges is used as often in one direction as in the other. Only in a solid
+/// does a front face along a ray pair with the next back face. All other components are open
+/// meshes.
 struct Solids {
-    /// Added to the number of the mesh's sheets, to tell them from solids. Numbers up to twice as
-    /// large are exact in a float, as which shaders get them.
-    static constexpr std::uint32_t kOpenMeshes = 1U << 22U;
+    /// Added to the number that a mesh's open components share, to distinguish it from solids.
+    /// Numbers up to twice as large are exact in a float, which is how shaders read them.
+    static constexpr std::uint32_t kOpenMesh = 1U << 22U;
 
-    /// Per vertex: 1 + the number of its solid, or kOpenMeshes + count() for the mesh's sheets, which
-    /// share one number.
+    /// Per vertex: 1 + the index of its solid, or kOpenMesh + count() for the open components,
+    /// which share one number.
     std::vector<std::uint32_t> solidOfVertex;
-    /// Triangles turned so that every solid's normals point outwards: those of an inside-out one
-    /// are reversed.
+    /// Triangles, turned so that the normals of every solid point outwards: the triangles of
+    /// inside-out solids are reversed.
     std::vector<std::uint32_t> indices;
     /// Model-space bounds per solid.
     std::vector<Bounds> bounds;
-    /// Whether some of the mesh is no solid.
-    bool sheets = false;
+    /// Whether some component is an open mesh.
+    bool openMesh = false;
 
-    /// How many numbers the mesh takes: one per solid and one for its sheets, if any.
+    /// Returns how many numbers the mesh uses: one per solid, and one for its open components if
+    /// any.
     std::uint32_t count() const {
-        return static_cast<std::uint32_t>(bounds.size()) + (sheets ? 1U : 0U);
+        return static_cast<std::uint32_t>(bounds.size()) + (openMesh ? 1U : 0U);
     }
 };
 
 Solids findSolids(const Mesh& mesh);
 
-/// The solids that contain a point (model space), by the parity of crossings along a ray.
-std::vector<std::uint32_t> solidsAround(const Mesh& mesh, const Solids& solids,
-                                        const glm::vec3& point);
+/// Returns the indices of the solids that contain a point (model space), found by the parity of
+/// crossings along a ray.
+std::vector<std::uint32_t> enclosingSolids(const Mesh& mesh, const Solids& solids,
+                                           const glm::vec3& point);
 
 } // namespace aolib

@@ -29,7 +29,7 @@ void keep(aolib::Scene& scene, aolib::Result<aolib::Mesh> mesh, std::vector<aoli
         require(index < mesh->positions.size(), "an index names a vertex");
     }
     const aolib::Solids solids = aolib::findSolids(*mesh);
-    (void)aolib::solidsAround(*mesh, solids, {0.3F, 0.2F, 0.1F});
+    (void)enclosingSolids(*mesh, solids, {0.3F, 0.2F, 0.1F});
     ids.push_back(scene.add(std::move(*mesh)));
 }
 

@@ -35,18 +35,19 @@ MaybeFailure BakePreview::write(const std::vector<bake::BakedMap>& maps) {
     return pictures.commit();
 }
 
-bool BakePreview::goesOn(bake::AbstractMapsSoFar& soFar) {
+bool BakePreview::goesOn(bake::BakeSnapshot& snapshot) {
     const auto now = Clock::now();
     const double seconds = std::chrono::duration<double>(now - began_).count();
     if (flags_.seconds > 0.0 && seconds >= flags_.seconds &&
-        soFar.samples() < soFar.wantedSamples()) {
+        snapshot.samples() < snapshot.wantedSamples()) {
         remark_ = "ended after " + knownNumber(seconds, 1) + " s with " +
-                  std::to_string(soFar.samples()) + " of " + std::to_string(soFar.wantedSamples()) +
+                  std::to_string(snapshot.samples()) + " of " +
+                  std::to_string(snapshot.wantedSamples()) +
                   (flags_.method == BakeMethod::Rays ? " rays\n" : " directions\n");
         return false;
     }
     if (!files_.empty() && now >= written_ + kInterval) {
-        const Result<std::vector<bake::BakedMap>> maps = soFar.maps();
+        const Result<std::vector<bake::BakedMap>> maps = snapshot.maps();
         failure_ = maps ? write(*maps) : Failure{ExitCode::Failed, maps.status().message()};
         written_ = Clock::now() + kMostShare * (Clock::now() - now);
     }

@@ -24,7 +24,7 @@ public:
     BakePreview& operator=(const BakePreview&) = delete;
 
     /// Writes pictures now and then. False: it is enough.
-    bool goesOn(bake::AbstractMapsSoFar& soFar);
+    bool goesOn(bake::BakeSnapshot& snapshot);
     MaybeFailure write(const std::vector<bake::BakedMap>& maps);
     void keep() { kept_ = true; }
 

@@ -57,7 +57,7 @@ AoStatus BakeToTexture::bake(bake::AbstractBaker& baker, const bake::BakeProgres
     preview_.emplace(flags_, std::move(pictures));
     Result<std::vector<bake::BakedMap>> baked =
         baker.bakeMaps(flags_.map, progress,
-                       [this](bake::AbstractMapsSoFar& soFar) { return preview_->goesOn(soFar); });
+                       [this](bake::BakeSnapshot& snapshot) { return preview_->goesOn(snapshot); });
     if (!baked) {
         return baked.status();
     }

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "bench/HostedFrames.h"
+#include "parallel/ParallelLoop.h"
 #include "raytracing/CosineSampling.h"
 #include "raytracing/GroupTracer.h"
-#include "reference/ParallelLoop.h"
 
 namespace aolib::bench {
 

@@ -8,8 +8,8 @@
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 
+#include "parallel/ParallelLoop.h"
 #include "raytracing/CosineSampling.h"
-#include "reference/ParallelLoop.h"
 
 namespace aolib::bench {
 

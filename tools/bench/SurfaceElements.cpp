@@ -10,7 +10,7 @@
 
 #include "bench/CreaseWeld.h"
 #include "bench/TriangleGrid.h"
-#include "reference/ParallelLoop.h"
+#include "parallel/ParallelLoop.h"
 #include "scene/Solids.h"
 
 namespace aolib::bench {

@@ -5,7 +5,7 @@
 
 #include "bench/HostedFrames.h"
 #include "bench/SurfaceElements.h"
-#include "reference/ParallelLoop.h"
+#include "parallel/ParallelLoop.h"
 
 namespace aolib::bench {
 

@@ -14,7 +14,7 @@ constexpr int kTracingVersion = 1;
 
 Loaded<VisibilityList> trace(const OpenedScene& scene, const BenchCase& which,
                              const TruthSettings& settings, const std::vector<Receiver>& points,
-                             const TraceProgress& progress) {
+                             const LoopProgress& progress) {
     TraceSettings tracing;
     tracing.rays = settings.rays;
     tracing.radius = which.radiusShare * scene.diagonal;
@@ -57,7 +57,7 @@ std::string truthKey(const OpenedScene& scene, const BenchCase& which,
 
 Loaded<Truth> traceTruth(const OpenedScene& scene, const BenchCase& which,
                          const TruthSettings& settings, const std::filesystem::path& cache,
-                         const TraceProgress& progress) {
+                         const LoopProgress& progress) {
     Truth truth;
     truth.receivers = findReceivers(scene.rays, scene.cameras[which.camera], settings.size,
                                     latticePixels(settings.size, settings.stride, settings.seed));

@@ -8,7 +8,7 @@
 #include "bench/OpenedScene.h"
 #include "bench/Receivers.h"
 #include "content/Loaded.h"
-#include "reference/ParallelLoop.h"
+#include "parallel/ParallelLoop.h"
 
 namespace aolib::bench {
 
@@ -36,7 +36,7 @@ struct Truth {
 /// Errors: the cache cannot be written; what the tracer rejects.
 Loaded<Truth> traceTruth(const OpenedScene& scene, const BenchCase& which,
                          const TruthSettings& settings, const std::filesystem::path& cache,
-                         const TraceProgress& progress = {});
+                         const LoopProgress& progress = {});
 
 /// Makes a truth that of a picture: of the surfaces that were drawn (see followPicture()).
 /// @param depths  of all pixels, 0 to 1. @return how many receivers have moved, or what the tracer

@@ -1,16 +1,15 @@
 #include "host/AoInstance.h"
 
-#include <algorithm>
-#include <thread>
 #include <utility>
 
 #include <aolib/RayTracing.h>
 
+#include "parallel/CoreCount.h"
+
 namespace aolib::host {
 
 AoStatus giveTracer(AmbientOcclusion& ao) {
-    auto tracer =
-        createTexelTracer(static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
+    auto tracer = createTexelTracer(coreCount());
     if (tracer) {
         ao.setTexelTracer(std::move(*tracer));
     }

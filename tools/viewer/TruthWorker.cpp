@@ -4,6 +4,8 @@
 #include <chrono>
 #include <utility>
 
+#include "parallel/CoreCount.h"
+
 namespace aolib::viewer {
 
 namespace {
@@ -12,8 +14,7 @@ namespace {
 constexpr std::chrono::milliseconds kRest{150};
 
 int workers(int threads) {
-    const int cores = static_cast<int>(std::thread::hardware_concurrency());
-    return threads > 0 ? threads : std::max(1, cores - 1);
+    return threads > 0 ? threads : std::max(1, coreCount() - 1);
 }
 
 } // namespace

@@ -11,9 +11,9 @@
 #include <aolib/OpenSectors.h>
 #include <aolib/ProcAddressLoader.h>
 #include <aolib/Status.h>
-#include <aolib/bake/AbstractMapsSoFar.h>
 #include <aolib/bake/BakeOptions.h>
 #include <aolib/bake/BakeScene.h>
+#include <aolib/bake/BakeSnapshot.h>
 #include <aolib/bake/ViewPixels.h>
 
 namespace aolib::bake {
@@ -64,9 +64,10 @@ public:
     /// All maps of the scene, by number; the map of a number that no surface has is empty.
     /// Errors: InvalidOption, OutOfMemory, Cancelled, InvalidPosition where no triangle of the
     /// scene has usable UVs.
-    /// @param watch  is shown the maps while they come about, and may end the bake early.
-    virtual Result<std::vector<BakedMap>>
-    bakeMaps(const MapOptions& options, const BakeProgress& progress, const BakeWatch& watch) = 0;
+    /// @param onSnapshot  is shown the maps while they come about, and may end the bake early.
+    virtual Result<std::vector<BakedMap>> bakeMaps(const MapOptions& options,
+                                                   const BakeProgress& progress,
+                                                   const SnapshotCallback& onSnapshot) = 0;
     Result<std::vector<BakedMap>> bakeMaps(const MapOptions& options,
                                            const BakeProgress& progress) {
         return bakeMaps(options, progress, {});

@@ -107,7 +107,7 @@ DeferredShading::surroundings(const BackboneContext& context, const SceneGeometr
                             view);
     if (layered) {
         return Surroundings{std::make_unique<LayerCapture>(
-                                context, faces, geometry.solidsAround(context.scene, position),
+                                context, faces, geometry.enclosingSolids(context.scene, position),
                                 peeling_, context.options.layeredIntervals.layers),
                             range};
     }

@@ -18,7 +18,7 @@ class LayerCapture final : public AbstractCapture {
 public:
     static constexpr int kMostLayers = 8;
 
-    /// @param around   the solids that contain the centre (SceneGeometry::solidsAround())
+    /// @param around   the solids that contain the centre (SceneGeometry::enclosingSolids())
     /// @param peeling  outlives the capture.
     /// @param most     layers at most, 1 to kMostLayers.
     LayerCapture(const BackboneContext& context, const FaceCapture& faces,

@@ -77,7 +77,7 @@ std::size_t SceneGeometry::bytes() const {
     return sum;
 }
 
-std::vector<float> SceneGeometry::solidsAround(const Scene& scene, const glm::vec3& point) const {
+std::vector<float> SceneGeometry::enclosingSolids(const Scene& scene, const glm::vec3& point) const {
     std::vector<float> around;
     std::uint32_t firstSolid = 0;
     for (const auto& [id, mesh] : scene.meshes()) {
@@ -88,7 +88,7 @@ std::vector<float> SceneGeometry::solidsAround(const Scene& scene, const glm::ve
         if (mesh.worldBounds().contains(point)) {
             const glm::vec3 local(glm::inverse(glm::dmat4(mesh.transform)) *
                                   glm::dvec4(point, 1.0));
-            for (const std::uint32_t solid : aolib::solidsAround(mesh, *solids, local)) {
+            for (const std::uint32_t solid : aolib::enclosingSolids(mesh, *solids, local)) {
                 around.push_back(static_cast<float>(firstSolid + solid + 1));
             }
         }

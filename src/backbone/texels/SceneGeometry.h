@@ -41,7 +41,7 @@ public:
     std::size_t bytes() const;
 
     /// The solids, numbered from 1 across all instances, that contain a point (world units).
-    std::vector<float> solidsAround(const Scene& scene, const glm::vec3& point) const;
+    std::vector<float> enclosingSolids(const Scene& scene, const glm::vec3& point) const;
 
 private:
     std::map<MeshId, std::shared_ptr<const Piece>> pieces_;

@@ -15,8 +15,8 @@ protected:
         options.width = options.height = size;
         return options;
     }
-    static BakeWatch until(int directions) {
-        return [directions](AbstractMapsSoFar& soFar) { return soFar.samples() < directions; };
+    static SnapshotCallback until(int directions) {
+        return [directions](BakeSnapshot& snapshot) { return snapshot.samples() < directions; };
     }
     static void expectSame(const Result<std::vector<BakedMap>>& a,
                            const Result<std::vector<BakedMap>>& b) {
@@ -69,9 +69,9 @@ TEST_P(WatchGLTest, MapsThatNoTextureHoldsTogetherGetAlikeManyDirections) {
     map.height = gl.capabilities.maxTextureSize / 2; // two in a texture
     map.fill = false;
     std::vector<int> told;
-    const auto watch = [&](AbstractMapsSoFar& soFar) {
-        told.push_back(soFar.samples());
-        return soFar.samples() < 8;
+    const auto watch = [&](BakeSnapshot& snapshot) {
+        told.push_back(snapshot.samples());
+        return snapshot.samples() < 8;
     };
     const auto ended = scatter(scene, options)->bakeMaps(map, {}, watch);
     EXPECT_EQ(told, (std::vector<int>{4, 8}));
@@ -94,12 +94,12 @@ TEST_P(WatchGLTest, MoreDirectionsAreNearerToTheTruthAndTheHostsStateIsItsOwn) {
             points ? scatter(sceneOf(shapes()), scattered) : shadow(sceneOf(shapes()), depths);
         double first = 0.0;
         double last = 0.0;
-        const auto watch = [&](AbstractMapsSoFar& soFar) {
+        const auto watch = [&](BakeSnapshot& snapshot) {
             EXPECT_EQ(gl.IsEnabled(GL_SCISSOR_TEST), GL_TRUE);
-            if (soFar.samples() == 8 || soFar.samples() == 64) {
-                const auto maps = soFar.maps();
+            if (snapshot.samples() == 8 || snapshot.samples() == 64) {
+                const auto maps = snapshot.maps();
                 EXPECT_TRUE(maps.ok());
-                (soFar.samples() == 8 ? first : last) =
+                (snapshot.samples() == 8 ? first : last) =
                     bench::errorsOf(maps->front(), truth).inside;
             }
             EXPECT_EQ(gl.IsEnabled(GL_SCISSOR_TEST), GL_TRUE);

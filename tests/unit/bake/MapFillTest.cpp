@@ -1,4 +1,4 @@
-#include "bake/MapFill.h"
+#include "bake/maps/MapFill.h"
 
 #include <gtest/gtest.h>
 

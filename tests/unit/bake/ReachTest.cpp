@@ -1,4 +1,4 @@
-#include "bake/Reach.h"
+#include "bake/gpu/Reach.h"
 
 #include <cmath>
 
@@ -12,7 +12,7 @@ namespace {
 double shareBeyond(const Reach& reach, double distance, std::uint32_t count, std::uint32_t seed) {
     std::uint32_t beyond = 0;
     for (std::uint32_t i = 0; i < count; ++i) {
-        beyond += radiusOf(reach, seed, i) > distance ? 1U : 0U;
+        beyond += drawRadius(reach, seed, i) > distance ? 1U : 0U;
     }
     return double(beyond) / double(count);
 }
@@ -29,14 +29,14 @@ TEST(ReachTest, RadiiOfExpAreItsMixtureOfStepsInEveryPrefix) {
             }
         }
     }
-    EXPECT_GE(radiusOf(reach, 0, 77), 0.2 / 64.0);
+    EXPECT_GE(drawRadius(reach, 0, 77), 0.2 / 64.0);
 }
 
 TEST(ReachTest, StepHasOneRadiusAndNoRadiusHasNoEnd) {
     EXPECT_EQ(shareBeyond({0.2, Falloff::Step}, 0.19, 16, 0), 1.0);
     EXPECT_EQ(shareBeyond({0.2, Falloff::Step}, 0.2, 16, 0), 0.0);
-    EXPECT_TRUE(std::isinf(radiusOf({0.0, Falloff::Exp}, 0, 3)));
-    EXPECT_TRUE(std::isinf(radiusOf({0.2, Falloff::Off}, 0, 3)));
+    EXPECT_TRUE(std::isinf(drawRadius({0.0, Falloff::Exp}, 0, 3)));
+    EXPECT_TRUE(std::isinf(drawRadius({0.2, Falloff::Off}, 0, 3)));
 }
 
 TEST(ReachTest, TooSmallARadiusIsRefusedWithTheLeast) {

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "bake/SlabBins.h"
-#include "bake/Slabs.h"
+#include "bake/gpu/SlabBins.h"
+#include "bake/gpu/Slabs.h"
 
 namespace aolib::bake {
 

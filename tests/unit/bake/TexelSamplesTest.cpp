@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "BakeScenes.h"
-#include "bake/Facets.h"
+#include "bake/maps/Facets.h"
 
 namespace aolib::bake::test {
 

@@ -1,4 +1,4 @@
-#include "bake/ThinTexels.h"
+#include "bake/scatter/ThinTexels.h"
 
 #include <gtest/gtest.h>
 

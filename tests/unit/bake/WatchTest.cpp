@@ -26,8 +26,8 @@ MapOptions smallMap(int texelSamples) {
 }
 
 /// Ends a bake as soon as there are so many samples.
-BakeWatch until(int samples) {
-    return [samples](AbstractMapsSoFar& soFar) { return soFar.samples() < samples; };
+SnapshotCallback until(int samples) {
+    return [samples](BakeSnapshot& snapshot) { return snapshot.samples() < samples; };
 }
 
 TEST(WatchTest, ABakeThatIsEndedIsOneOfSoManyRays) {
@@ -45,10 +45,10 @@ TEST(WatchTest, MoreRaysAreNearerToTheTruth) {
     std::vector<int> samples;
     std::vector<double> errors;
     std::vector<float> last;
-    const auto watch = [&](AbstractMapsSoFar& soFar) {
-        EXPECT_EQ(soFar.wantedSamples(), 256);
-        samples.push_back(soFar.samples());
-        const auto maps = soFar.maps();
+    const auto watch = [&](BakeSnapshot& snapshot) {
+        EXPECT_EQ(snapshot.wantedSamples(), 256);
+        samples.push_back(snapshot.samples());
+        const auto maps = snapshot.maps();
         EXPECT_TRUE(maps.ok());
         errors.push_back(bench::errorsOf(maps->front(), truth).inside);
         last = maps->front().visibility;
@@ -72,8 +72,8 @@ TEST(WatchTest, AllMapsHaveValuesBeforeTheFirstIsDone) {
     BakeScene scene = openBesideClosedChart();
     scene.surfaces[1].map = 1;
     std::vector<int> seen;
-    const auto watch = [&](AbstractMapsSoFar& soFar) {
-        seen.push_back(soFar.samples());
+    const auto watch = [&](BakeSnapshot& snapshot) {
+        seen.push_back(snapshot.samples());
         return seen.size() < 2;
     };
     const auto maps = bakerOf(std::move(scene), 64)->bakeMaps(smallMap(4), {}, watch);
@@ -89,14 +89,14 @@ TEST(WatchTest, WhatIsCancelledGivesNothingHoweverMuchThereIs) {
     const auto maps = bakerOf(floorBesideWall(0.5), 256)
                           ->bakeMaps(
                               smallMap(16), [](double done) { return done < 0.5; },
-                              [&](AbstractMapsSoFar&) { return watched = true; });
+                              [&](BakeSnapshot&) { return watched = true; });
     EXPECT_EQ(maps.status().code(), StatusCode::Cancelled);
     EXPECT_TRUE(watched);
 }
 
 TEST(WatchTest, ManyRaysComeInManyPasses) {
     int calls = 0;
-    const auto count = [&](AbstractMapsSoFar&) { return ++calls > 0; };
+    const auto count = [&](BakeSnapshot&) { return ++calls > 0; };
     ASSERT_TRUE(bakerOf(floorBesideWall(0.5), 512)->bakeMaps(smallMap(2), {}, count).ok());
     EXPECT_EQ(calls, 8) << "of 64 each, from two places in turn";
 }

@@ -26,9 +26,19 @@ room(backbone/refine ALLOW backbone/passes backbone/texels backbone/cubemaps bac
     backbone/estimators gl scene)
 room(backbone ALLOW backbone/refine backbone/passes backbone/texels backbone/cubemaps backbone/frame
     backbone/estimators gl scene)
-room(raytracing ALLOW scene)
-room(reference ALLOW scene raytracing)
-room(bake ALLOW scene gl raytracing reference)
+room(parallel)
+room(raytracing ALLOW scene parallel)
+room(reference ALLOW scene raytracing parallel)
+room(bake/geometry ALLOW scene)
+room(bake/vertices ALLOW bake/geometry scene)
+room(bake/maps ALLOW bake/geometry raytracing scene)
+room(bake/atlas ALLOW bake/maps bake/geometry raytracing scene)
+room(bake/gpu ALLOW bake/maps bake/geometry raytracing gl scene)
+room(bake/rays ALLOW bake/vertices bake/maps bake/geometry raytracing parallel scene)
+room(bake/scatter ALLOW bake/vertices bake/gpu bake/maps bake/geometry gl raytracing scene)
+room(bake/shadow ALLOW bake/vertices bake/gpu bake/maps bake/geometry gl scene)
+room(bake ALLOW bake/shadow bake/scatter bake/rays bake/gpu bake/atlas bake/maps bake/vertices
+    bake/geometry raytracing parallel gl scene)
 room(lighting ALLOW gl)
 room(platform)
 

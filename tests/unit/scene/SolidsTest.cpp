@@ -34,7 +34,7 @@ TEST_F(SolidsTest, ABoxIsASolid) {
     addBox(positions, indices, {-1, -1, -1}, {1, 1, 1});
     const Solids solids = findSolids(mesh());
     EXPECT_EQ(solids.count(), 1U);
-    EXPECT_FALSE(solids.sheets);
+    EXPECT_FALSE(solids.openMesh);
     EXPECT_EQ(solids.solidOfVertex, std::vector<std::uint32_t>(8, 1U));
     EXPECT_EQ(solids.indices, indices) << "it faced outwards already";
     EXPECT_EQ(solids.bounds[0].max, glm::vec3(1, 1, 1));
@@ -49,13 +49,13 @@ TEST_F(SolidsTest, AnInsideOutBoxIsTurned) {
     EXPECT_EQ(findSolids(mesh()).indices, outwards);
 }
 
-TEST_F(SolidsTest, ABoxWithoutALidIsASheet) {
+TEST_F(SolidsTest, ABoxWithoutALidIsAnOpenMesh) {
     addBox(positions, indices, {-1, -1, -1}, {1, 1, 1});
     indices.resize(indices.size() - 3);
     const Solids solids = findSolids(mesh());
     EXPECT_TRUE(solids.bounds.empty());
-    EXPECT_EQ(solids.count(), 1U) << "the number of its sheets";
-    EXPECT_EQ(solids.solidOfVertex, std::vector<std::uint32_t>(8, Solids::kOpenMeshes + 1U));
+    EXPECT_EQ(solids.count(), 1U) << "the number of its open mesh";
+    EXPECT_EQ(solids.solidOfVertex, std::vector<std::uint32_t>(8, Solids::kOpenMesh + 1U));
 }
 
 TEST_F(SolidsTest, SplitVerticesAreWelded) {
@@ -78,7 +78,7 @@ TEST_F(SolidsTest, ComponentsAreJudgedApart) {
     EXPECT_EQ(solids.bounds.size(), 2U);
     EXPECT_EQ(solids.count(), 3U);
     EXPECT_EQ(solids.solidOfVertex[0], 1U);
-    EXPECT_EQ(solids.solidOfVertex[8], Solids::kOpenMeshes + 3U);
+    EXPECT_EQ(solids.solidOfVertex[8], Solids::kOpenMesh + 3U);
     EXPECT_EQ(solids.solidOfVertex[16], 2U);
 }
 
@@ -95,10 +95,10 @@ TEST_F(SolidsTest, KnowsWhichSolidsContainAPoint) {
     const Mesh m = mesh();
     const Solids solids = findSolids(m);
     using Numbers = std::vector<std::uint32_t>;
-    EXPECT_EQ(solidsAround(m, solids, {0, 0, 0}), (Numbers{0, 1}));
-    EXPECT_EQ(solidsAround(m, solids, {2, 0, 0}), (Numbers{0}));
-    EXPECT_EQ(solidsAround(m, solids, {5, 0, 0}), (Numbers{}));
-    EXPECT_EQ(solidsAround(m, solids, {7, 0.3F, 0.2F}), (Numbers{2}));
+    EXPECT_EQ(enclosingSolids(m, solids, {0, 0, 0}), (Numbers{0, 1}));
+    EXPECT_EQ(enclosingSolids(m, solids, {2, 0, 0}), (Numbers{0}));
+    EXPECT_EQ(enclosingSolids(m, solids, {5, 0, 0}), (Numbers{}));
+    EXPECT_EQ(enclosingSolids(m, solids, {7, 0.3F, 0.2F}), (Numbers{2}));
 }
 
 } // namespace

@@ -61,7 +61,7 @@ void TracedLight::paint(FloatImage& picture) const {
 
 Result<TracedLight> traceLight(const LitScene& scene, const lighting::EnvironmentMap& map,
                                const NamedCamera& camera, int width, int height, int rays,
-                               const TraceProgress& progress) {
+                               const LoopProgress& progress) {
     const Result<RayScene> rayScene = RayScene::create(scene.mesh());
     if (!rayScene) {
         return rayScene.status();

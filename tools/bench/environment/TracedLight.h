@@ -40,6 +40,6 @@ struct TracedLight {
 /// Errors: those of RayScene::create(), litPixels() and traceEnvironment().
 Result<TracedLight> traceLight(const LitScene& scene, const lighting::EnvironmentMap& map,
                                const NamedCamera& camera, int width, int height, int rays,
-                               const TraceProgress& progress = {});
+                               const LoopProgress& progress = {});
 
 } // namespace aolib::bench

@@ -40,7 +40,7 @@ Result<AmbientOcclusion> AmbientOcclusion::create(const ProcAddressLoader& loade
     impl->resolveOptions();
     AoStatus status = impl->contexts.found();
     if (status) {
-        status = impl->onCleanSlate([&](const gl::StateGuard& /*guard*/) { return impl->build(); });
+        status = impl->onKnownState([&](const gl::StateGuard& /*guard*/) { return impl->build(); });
     }
     if (!status) {
         return status;
@@ -49,12 +49,12 @@ Result<AmbientOcclusion> AmbientOcclusion::create(const ProcAddressLoader& loade
 }
 
 AoStatus AmbientOcclusion::Impl::build() {
-    if (!generated) {
+    if (!emptyVertexArray) {
         auto made = gl::VertexArray::createEmpty(gl, "aolib/generated");
         if (!made) {
             return made.status();
         }
-        generated = std::move(*made);
+        emptyVertexArray = std::move(*made);
     }
     auto made = makeBackbone(context());
     if (made) {
@@ -92,7 +92,7 @@ AoStatus AmbientOcclusion::setOptions(const Options& options) {
         impl_->backbone->optionsChanged(effectiveBefore.get());
         return {};
     }
-    status = impl_->onCleanSlate([&](const gl::StateGuard& /*guard*/) { return impl_->build(); });
+    status = impl_->onKnownState([&](const gl::StateGuard& /*guard*/) { return impl_->build(); });
     if (!status) {
         impl_->options = before;
         impl_->effective = effectiveBefore;
@@ -286,7 +286,7 @@ AoStatus AmbientOcclusion::removeView(ViewId id) {
 }
 
 AoStatus AmbientOcclusion::Impl::drawEnd(const glm::vec3& position, ViewId id) {
-    return onCleanSlate([&](const gl::StateGuard& guard) -> AoStatus {
+    return onKnownState([&](const gl::StateGuard& guard) -> AoStatus {
         Result<Frame> frame = view.frameFrom(gl, guard, position);
         if (!frame) {
             return frame.status();
@@ -310,7 +310,7 @@ Result<TextureName> AmbientOcclusion::aoApply(const HostTextures& textures,
 
 Result<TextureName> AmbientOcclusion::Impl::apply(const HostTextures& textures,
                                                   const glm::vec3& position, ViewId id) {
-    return onCleanSlate([&](const gl::StateGuard& guard) -> Result<TextureName> {
+    return onKnownState([&](const gl::StateGuard& guard) -> Result<TextureName> {
         Result<Frame> frame = view.frameFrom(gl, guard, position);
         if (!frame) {
             return frame.status();

@@ -40,7 +40,7 @@ struct AmbientOcclusion::Impl {
     EffectiveOptions effective;    ///< the same, with nothing left to choose
     Scene scene;
     SceneBuilder builder;
-    gl::VertexArray generated;
+    gl::VertexArray emptyVertexArray;
     std::unique_ptr<AbstractTexelTracer> tracer;
     SceneRenderer renderer; ///< calls the host's, and has other calls refused meanwhile
     bool rendering = false; ///< a callback of the host's runs
@@ -50,7 +50,9 @@ struct AmbientOcclusion::Impl {
     AoStatus lastStatus;
     MessageSink sink;
 
-    BackboneContext context() { return {gl, generated, scene, effective.get(), tracer, renderer}; }
+    BackboneContext context() {
+        return {gl, emptyVertexArray, scene, effective.get(), tracer, renderer};
+    }
 
     AoStatus report(AoStatus status) {
         if (!status) {
@@ -89,11 +91,11 @@ struct AmbientOcclusion::Impl {
                                     "not allowed within a callback of the same instance")
                          : AoStatus();
     }
-    /// A call that talks to GL, in a context that is known and on a clean slate.
+    /// A call that talks to GL, in a context that is known and on a known GL state.
     /// @param call  is given the guard. Errors: NoContext, WrongContext, OutOfMemory and those of
     /// the call.
     template <typename Call>
-    auto onCleanSlate(Call call) -> decltype(call(std::declval<const gl::StateGuard&>())) {
+    auto onKnownState(Call call) -> decltype(call(std::declval<const gl::StateGuard&>())) {
         const gl::ContextScope scope(contexts);
         if (!scope.status()) {
             return scope.status();
@@ -104,14 +106,14 @@ struct AmbientOcclusion::Impl {
         }
         return call(guard);
     }
-    /// A call to the backbone on a clean slate. Reports come after it: a message sink is the host's
-    /// code and finds the host's state.
+    /// A call to the backbone on a known GL state. Reports come after it: a message sink is the
+    /// host's code and finds the host's state.
     template <typename Call>
     auto guarded(Call call) -> decltype(call(*backbone)) {
         if (AoStatus status = checkNotInCallback(); !status) {
             return status;
         }
-        return onCleanSlate([&](const gl::StateGuard& /*guard*/) -> decltype(call(*backbone)) {
+        return onKnownState([&](const gl::StateGuard& /*guard*/) -> decltype(call(*backbone)) {
             updateOptions();
             return call(*backbone);
         });

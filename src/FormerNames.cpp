@@ -1,12 +1,5 @@
 #include "FormerNames.h"
 
-// The one place that uses deprecated names.
-#if defined(__GNUC__)
-#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
-#elif defined(_MSC_VER)
-#pragma warning(disable : 4996)
-#endif
-
 namespace aolib {
 
 void applyFormerNames(CubeMapOptions& options) {

@@ -37,7 +37,7 @@ struct TexelRequest {
     Falloff falloff = Falloff::Step; ///< weight of a hit by its distance
     /// Not empty: what is traced in place of a face's texels, `width * height` of them. Face and
     /// place then only choose their sequences of rays, and need not lie within a face.
-    std::vector<LineOfSight> sights;
+    std::vector<LineOfSight> primaryRays;
 };
 
 /// The answer to a request: arrays of `width * height`, row 0 at the bottom.

@@ -98,9 +98,9 @@ struct CubeMapOptions {
     bool halfResolution = false;
     bool outlines = false; ///< draw a small wire cube where each cube map stands
 
-    /// Former names of refineStaticViews and screenSpaceFallback: false switches them off, too.
-    [[deprecated("use refineStaticViews")]] bool repair = true;
-    [[deprecated("use screenSpaceFallback")]] bool fallback = true;
+    /// Deprecated names of refineStaticViews and screenSpaceFallback: false switches them off, too.
+    bool repair = true;
+    bool fallback = true;
 };
 
 /// The edge-aware blur of what is noisy: horizon split, and all that is computed in screen space.

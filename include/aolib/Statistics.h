@@ -57,8 +57,8 @@ struct Statistics {
     std::size_t bytesFrame = 0;    ///< GPU memory of the per-frame targets
     std::size_t bytesScene = 0;    ///< GPU memory of the scene's triangles
 
-    /// Former name of pixelsRefined.
-    [[deprecated("use pixelsRefined")]] std::size_t pixelsRepaired = 0;
+    /// Deprecated name of pixelsRefined.
+    std::size_t pixelsRepaired = 0;
 };
 
 /// Ambient occlusion of the latest frame, as it was blended: row 0 is the bottom row.

@@ -94,7 +94,7 @@ Result<VisibilityImage> AbstractBackbone::readVisibility(ViewState* view) {
     if (!shown) {
         return shown.status();
     }
-    (*shown)->beginRead(0);
+    (*shown)->bindForReading(0);
     gl::usePixels(context_.gl);
     context_.gl.ReadPixels(0, 0, image.width, image.height, GL_RED, GL_FLOAT,
                            image.visibility.data());
@@ -107,12 +107,12 @@ Result<const gl::RenderToTexture2D*> AbstractBackbone::shownVisibility(const Vie
     }
     const Frame& frame = *of.latest;
     constexpr std::array<GLfloat, 4> kBackground{-1.0F, 0.0F, 0.0F, 0.0F};
-    AoStatus status = means_.become(context_.gl, {.width = frame.size.x,
-                                                  .height = frame.size.y,
-                                                  .targets = {gl::RenderToTexture2D::Format::R32F},
-                                                  .label = "aolib/frame/means of samples"});
+    AoStatus status = means_.reset(context_.gl, {.width = frame.size.x,
+                                                 .height = frame.size.y,
+                                                 .targets = {gl::RenderToTexture2D::Format::R32F},
+                                                 .label = "aolib/frame/means of samples"});
     if (status) {
-        means_.begin(0);
+        means_.bindAsTarget(0);
         context_.gl.ClearBufferfv(GL_COLOR, 0, kBackground.data());
         status = passes_.composite.writeMeans({context_, frame, of.host}, of.blurred.visibility);
     }

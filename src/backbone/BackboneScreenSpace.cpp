@@ -81,10 +81,10 @@ AoStatus BackboneScreenSpace::estimate(const FrameContext& context) {
     const gl::DebugGroup group(context.gl, "aolib: screen-space visibility");
     auto& of = static_cast<ScreenSpaceView&>(view());
     if (AoStatus status =
-            of.estimated.become(context.gl, {.width = context.frame.size.x,
-                                             .height = context.frame.size.y,
-                                             .targets = {gl::RenderToTexture2D::Format::RG16F},
-                                             .label = "aolib/screenspace/visibility"});
+            of.estimated.reset(context.gl, {.width = context.frame.size.x,
+                                            .height = context.frame.size.y,
+                                            .targets = {gl::RenderToTexture2D::Format::RG16F},
+                                            .label = "aolib/screenspace/visibility"});
         !status) {
         return status;
     }
@@ -93,11 +93,11 @@ AoStatus BackboneScreenSpace::estimate(const FrameContext& context) {
             return status;
         }
     }
-    of.estimated.begin(0);
+    of.estimated.bindAsTarget(0);
     shader_.bind();
     of.geometry.bind(shader_, context.frame, 0, 1);
     setEstimatorUniforms(shader_, context.options);
-    context.generated.drawFullscreen();
+    context.emptyVertexArray.drawFullscreen();
     return {};
 }
 

@@ -26,8 +26,8 @@ public:
                                        &Functions::DeleteVertexArrays};
     static constexpr Kind kQuery{"query", &Functions::GenQueries, &Functions::DeleteQueries};
 
-    /// Gives a new object its content, on a clean slate of GL state. It must hold what it needs by
-    /// value: it is called again in other contexts.
+    /// Gives a new object its content, on a known GL state of GL state. It must hold what it needs
+    /// by value: it is called again in other contexts.
     using Fill = std::function<AoStatus(const Functions& gl, GLuint name)>;
 
     Container() = default;

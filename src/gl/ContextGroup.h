@@ -41,7 +41,7 @@ public:
     /// Makes the current context the one that work is done in, and deletes what waits for it.
     /// Errors: those of check(), OutOfMemory, MissingCapability; then none is entered.
     AoStatus enter();
-    /// Makes the containers that the entered context lacks, on a clean slate of GL state.
+    /// Makes the containers that the entered context lacks, on a known GL state of GL state.
     /// Errors: OutOfMemory, MissingCapability.
     AoStatus makeContainers();
     /// As enter(), but to delete things only, until the group ends: makes nothing. Elsewhere than

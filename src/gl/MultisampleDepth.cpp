@@ -66,7 +66,7 @@ AoStatus MultisampleDepth::attach(const Functions& gl, const Settings& settings,
     return {};
 }
 
-AoStatus MultisampleDepth::become(const Functions& gl, const Settings& settings) {
+AoStatus MultisampleDepth::reset(const Functions& gl, const Settings& settings) {
     if (texture_ && settings_ == settings) {
         return {};
     }

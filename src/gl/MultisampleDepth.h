@@ -26,7 +26,7 @@ public:
 
     /// Makes the texture match the settings, unless it does. May leave its framebuffer bound.
     /// Errors: OutOfMemory, MissingCapability. The texture then stays what it was.
-    AoStatus become(const Functions& gl, const Settings& settings);
+    AoStatus reset(const Functions& gl, const Settings& settings);
 
     /// Directs rendering and blits to it.
     void beginDraw() const;

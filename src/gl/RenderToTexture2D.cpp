@@ -136,11 +136,11 @@ Result<RenderToTexture2D> RenderToTexture2D::create(const Functions& gl, const S
     if (AoStatus status = rtt.addFramebuffer(); !status) {
         return status;
     }
-    rtt.beginAll();
+    rtt.bindAllAsTargets();
     return rtt;
 }
 
-AoStatus RenderToTexture2D::become(const Functions& gl, const Settings& settings) {
+AoStatus RenderToTexture2D::reset(const Functions& gl, const Settings& settings) {
     if (*this && settings_ == settings) {
         return {};
     }
@@ -151,20 +151,20 @@ AoStatus RenderToTexture2D::become(const Functions& gl, const Settings& settings
     return created.status();
 }
 
-void RenderToTexture2D::begin(int target) const {
+void RenderToTexture2D::bindAsTarget(int target) const {
     gl_->BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
     gl_->DrawBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(target));
     setViewport(*gl_, 0, 0, settings_.width, settings_.height);
 }
 
-void RenderToTexture2D::beginAll() const {
+void RenderToTexture2D::bindAllAsTargets() const {
     useTargets(*gl_, static_cast<int>(textures_.size()));
     gl_->BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
     setDrawBuffers(*gl_, textures_.size());
     setViewport(*gl_, 0, 0, settings_.width, settings_.height);
 }
 
-void RenderToTexture2D::beginRead(int target) const {
+void RenderToTexture2D::bindForReading(int target) const {
     gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.name());
     gl_->ReadBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(target));
 }

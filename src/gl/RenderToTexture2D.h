@@ -63,14 +63,14 @@ public:
 
     /// Becomes one of these settings, unless it is. May leave its framebuffer bound.
     /// Errors: as create(); it then stays what it was.
-    AoStatus become(const Functions& gl, const Settings& settings);
+    AoStatus reset(const Functions& gl, const Settings& settings);
 
     /// Directs rendering to one target, or to all of them as locations 0, 1, ...; sets the
     /// viewport.
-    void begin(int target) const;
-    void beginAll() const;
+    void bindAsTarget(int target) const;
+    void bindAllAsTargets() const;
     /// Directs reading to one target.
-    void beginRead(int target) const;
+    void bindForReading(int target) const;
     /// Makes a target readable by samplers of this texture unit.
     void bindTexture(int target, int unit) const;
     void bindDepthTexture(int unit) const;

@@ -12,7 +12,7 @@
 
 namespace aolib::gl {
 
-/// Takes the host's GL state aside and gives a clean slate; puts every piece back when it goes.
+/// Takes the host's GL state aside and gives a known GL state; puts every piece back when it goes.
 ///
 /// Saved by query, restored to what was found. What it covers is the list of state that aolib's
 /// passes touch or that could alter them; docs/integration.md holds the table. Some of it is taken

@@ -47,7 +47,7 @@ Result<TextureStack> TextureStack::create(const Functions& gl, const Settings& s
                             " layers of " + std::to_string(settings.width) + " x " +
                             std::to_string(settings.height) + " texels");
     }
-    stack.begin(0);
+    stack.bindAsTarget(0);
     gl::label(gl, GL_FRAMEBUFFER, stack.framebuffer_.name(), settings.label);
     if (const GLenum state = gl.CheckFramebufferStatus(GL_FRAMEBUFFER);
         state != GL_FRAMEBUFFER_COMPLETE) {
@@ -60,7 +60,7 @@ Result<TextureStack> TextureStack::create(const Functions& gl, const Settings& s
     return stack;
 }
 
-void TextureStack::begin(int layer) const {
+void TextureStack::bindAsTarget(int layer) const {
     gl_->BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
     gl_->FramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, texture_.name(), 0, layer);
     gl_->DrawBuffer(GL_COLOR_ATTACHMENT0);
@@ -84,7 +84,7 @@ void TextureStack::upload(int layer, const glm::ivec2& at, const glm::ivec2& siz
 
 void TextureStack::copyFrom(const TextureStack& other) const {
     for (int layer = 0; layer < other.layers(); ++layer) {
-        other.begin(layer);
+        other.bindAsTarget(layer);
         gl_->ReadBuffer(GL_COLOR_ATTACHMENT0);
         bind(0);
         gl_->CopyTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, layer, 0, 0, settings_.width,

@@ -29,7 +29,7 @@ public:
     static Result<TextureStack> create(const Functions& gl, const Settings& settings);
 
     /// Directs rendering to one layer; sets the viewport.
-    void begin(int layer) const;
+    void bindAsTarget(int layer) const;
     /// Makes one layer a colour target of the framebuffer that is bound.
     void attach(int location, int layer) const;
     /// Replaces part of a layer; the data has the format's own channels and type, rows

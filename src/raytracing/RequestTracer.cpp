@@ -52,12 +52,12 @@ bool isFinite(const glm::vec3& v) {
 AoStatus checkSights(const TexelRequest& request) {
     const auto texels = static_cast<std::size_t>(std::max(request.width, 0)) *
                         static_cast<std::size_t>(std::max(request.height, 0));
-    if (request.sights.size() != texels) {
+    if (request.primaryRays.size() != texels) {
         return invalid(std::to_string(request.width) + " x " + std::to_string(request.height) +
-                       " of them with " + std::to_string(request.sights.size()) +
+                       " of them with " + std::to_string(request.primaryRays.size()) +
                        " lines of sight");
     }
-    for (const LineOfSight& line : request.sights) {
+    for (const LineOfSight& line : request.primaryRays) {
         if (!isFinite(line.from) || !isFinite(line.to) || line.from == line.to) {
             return {StatusCode::InvalidPosition,
                     "a request for texels: a line of sight that is not finite or has no length"};
@@ -159,7 +159,7 @@ RequestTracer::RayPattern RequestTracer::rayPattern(const SurfaceFinder::Texel& 
                                                     const glm::dvec3& normal) const {
     const TexelRequest& request = result_.request;
     const glm::ivec2 at(request.x + texel.x, request.y + texel.y);
-    if (!request.sights.empty()) {
+    if (!request.primaryRays.empty()) {
         return {basisAbout(normal), sequenceSeed(request.face, at.x, at.y)};
     }
     const shared::FoldedPlace place = shared::foldedPlace(at, request.faceSize);
@@ -207,7 +207,8 @@ AoStatus checkRequest(const TexelRequest& request) {
     if (request.face < 0 || request.face > 5) {
         return invalid("face is " + std::to_string(request.face) + ", must be 0 to 5");
     }
-    const AoStatus places = request.sights.empty() ? checkPlaces(request) : checkSights(request);
+    const AoStatus places =
+        request.primaryRays.empty() ? checkPlaces(request) : checkSights(request);
     if (!places) {
         return places;
     }

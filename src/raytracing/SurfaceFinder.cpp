@@ -25,10 +25,11 @@ SurfaceFinder::SurfaceFinder(const RayScene& scene, const TexelRequest& request)
       up_(shared::faceUp(request.face)) {}
 
 SurfaceFinder::Ray SurfaceFinder::ray(const Texel& texel) const {
-    if (!request_.sights.empty()) {
-        const LineOfSight& line = request_.sights[static_cast<std::size_t>(texel.y) *
-                                                      static_cast<std::size_t>(request_.width) +
-                                                  static_cast<std::size_t>(texel.x)];
+    if (!request_.primaryRays.empty()) {
+        const LineOfSight& line =
+            request_.primaryRays[static_cast<std::size_t>(texel.y) *
+                                     static_cast<std::size_t>(request_.width) +
+                                 static_cast<std::size_t>(texel.x)];
         const glm::dvec3 along = glm::dvec3(line.to) - glm::dvec3(line.from);
         const double length = glm::length(along);
         return {centre_ + glm::dvec3(line.from), along / length, 0.0, length};
@@ -53,13 +54,13 @@ SurfaceFinder::Seen SurfaceFinder::seen(const Hit& hit, const Ray& ray) const {
 }
 
 SurfaceFinder::SeenList SurfaceFinder::find(std::span<const Texel> texels) const {
-    std::array<Ray, packet> sights;
+    std::array<Ray, packet> primaryRays;
     alignas(64) int valid[packet] = {};
     RTCRayHit16 rays{};
     for (std::size_t i = 0; i < texels.size(); ++i) {
-        sights[i] = ray(texels[i]);
-        const FrameRay ray = scene_.frameRay(sights[i].origin, sights[i].direction,
-                                             sights[i].nearest, sights[i].farthest);
+        primaryRays[i] = ray(texels[i]);
+        const FrameRay ray = scene_.frameRay(primaryRays[i].origin, primaryRays[i].direction,
+                                             primaryRays[i].nearest, primaryRays[i].farthest);
         valid[i] = ray.empty ? 0 : -1;
         rays.ray.org_x[i] = ray.origin.x;
         rays.ray.org_y[i] = ray.origin.y;
@@ -78,8 +79,8 @@ SurfaceFinder::SeenList SurfaceFinder::find(std::span<const Texel> texels) const
             continue;
         }
         const Hit hit = scene_.rebuilt({rays.hit.primID[i], rays.hit.u[i], rays.hit.v[i]},
-                                       sights[i].origin, sights[i].direction);
-        list[i] = seen(hit, sights[i]);
+                                       primaryRays[i].origin, primaryRays[i].direction);
+        list[i] = seen(hit, primaryRays[i]);
     }
     return list;
 }

@@ -234,7 +234,7 @@ FloatImage MeasuredHost::resolvedColours(const CameraKind& camera, const Framebu
         gl_.BlitFramebuffer(kind.origin.x, kind.origin.y, kind.origin.x + kWidth,
                             kind.origin.y + kHeight, 0, 0, kWidth, kHeight, GL_COLOR_BUFFER_BIT,
                             GL_NEAREST);
-        resolved->beginRead(0);
+        resolved->bindForReading(0);
     }
     return colours(camera, kind);
 }

@@ -135,7 +135,7 @@ void LitRenderer::draw(const glm::mat4& view, const glm::mat4& projection, LitMe
     if (drawsSun(method) && sun_) {
         sunDepth_->draw(meshes_, bounds_, sun_->direction);
     }
-    target_.beginAll();
+    target_.bindAllAsTargets();
     drawSky(view, projection);
     drawSurfaces(view, projection, method);
     gl_->BindVertexArray(0);
@@ -193,7 +193,7 @@ void LitRenderer::drawSurfaces(const glm::mat4& view, const glm::mat4& projectio
 
 LitRenderer::Picture LitRenderer::read() const {
     FloatImage all(target_.width(), target_.height(), 4);
-    target_.beginRead(0);
+    target_.bindForReading(0);
     gl_->BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
     gl_->PixelStorei(GL_PACK_ALIGNMENT, 1);
     gl_->ReadPixels(0, 0, all.width, all.height, GL_RGBA, GL_FLOAT, all.pixels.data());

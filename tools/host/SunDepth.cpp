@@ -50,7 +50,7 @@ void SunDepth::draw(const std::vector<LitMesh>& meshes, const Bounds& bounds,
                   glm::scale(glm::mat4(1.0F), glm::vec3(0.5F)) * worldToClip;
     texel_ = std::max(seen.max.x - seen.min.x, seen.max.y - seen.min.y) /
              static_cast<float>(map_.width());
-    map_.beginAll();
+    map_.bindAllAsTargets();
     gl_->Enable(GL_DEPTH_TEST);
     gl_->DepthFunc(GL_LESS);
     gl_->DepthMask(GL_TRUE);

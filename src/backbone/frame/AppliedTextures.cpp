@@ -121,15 +121,15 @@ AoStatus AppliedTextures::attachColour(const gl::Functions& gl, const HostTextur
 }
 
 AoStatus AppliedTextures::clearFactor(const gl::Functions& gl, const glm::ivec2& size) {
-    if (AoStatus status = factor_.become(gl, {.width = size.x,
-                                              .height = size.y,
-                                              .targets = {gl::RenderToTexture2D::Format::R8},
-                                              .label = "aolib/applied/factor"});
+    if (AoStatus status = factor_.reset(gl, {.width = size.x,
+                                             .height = size.y,
+                                             .targets = {gl::RenderToTexture2D::Format::R8},
+                                             .label = "aolib/applied/factor"});
         !status) {
         return status;
     }
     const std::array<GLfloat, 4> one{1.0F, 1.0F, 1.0F, 1.0F};
-    factor_.beginAll();
+    factor_.bindAllAsTargets();
     gl.ClearBufferfv(GL_COLOR, 0, one.data());
     return {};
 }

@@ -21,7 +21,7 @@ namespace aolib {
 /// What every pass needs for as long as an instance lives.
 struct BackboneContext {
     const gl::Functions& gl;
-    const gl::VertexArray& generated; ///< no attributes; covers the screen with one triangle
+    const gl::VertexArray& emptyVertexArray; ///< no attributes; covers the screen with one triangle
     Scene& scene;
     const Options& options;
     const std::unique_ptr<AbstractTexelTracer>& tracer; ///< empty: the host gave none

@@ -99,11 +99,11 @@ AoStatus HostFramebuffer::copyDepth(const BackboneContext& context, const Frame&
 
 AoStatus HostFramebuffer::copyOneSample(const gl::Functions& gl, const Frame& frame, Depth format,
                                         int samples) {
-    if (AoStatus status = depth_.become(gl, {.width = frame.size.x,
-                                             .height = frame.size.y,
-                                             .targets = {},
-                                             .depth = format,
-                                             .label = "aolib/frame/depth"});
+    if (AoStatus status = depth_.reset(gl, {.width = frame.size.x,
+                                            .height = frame.size.y,
+                                            .targets = {},
+                                            .depth = format,
+                                            .label = "aolib/frame/depth"});
         !status) {
         return status;
     }
@@ -111,7 +111,7 @@ AoStatus HostFramebuffer::copyOneSample(const gl::Functions& gl, const Frame& fr
     const glm::ivec2 o = frame.origin;
     const glm::ivec2 s = frame.size;
     if (samples > 0) {
-        depth_.beginAll();
+        depth_.bindAllAsTargets();
         gl.BindFramebuffer(GL_READ_FRAMEBUFFER, frame.depthFramebuffer);
         gl.BlitFramebuffer(o.x, o.y, o.x + s.x, o.y + s.y, 0, 0, s.x, s.y, GL_DEPTH_BUFFER_BIT,
                            GL_NEAREST);
@@ -123,10 +123,10 @@ AoStatus HostFramebuffer::copyOneSample(const gl::Functions& gl, const Frame& fr
 }
 
 AoStatus HostFramebuffer::copyNormals(const gl::Functions& gl, const Frame& frame) {
-    if (AoStatus status = normals_.become(gl, {.width = frame.size.x,
-                                               .height = frame.size.y,
-                                               .targets = {gl::RenderToTexture2D::Format::RGBA16F},
-                                               .label = "aolib/frame/normals"});
+    if (AoStatus status = normals_.reset(gl, {.width = frame.size.x,
+                                              .height = frame.size.y,
+                                              .targets = {gl::RenderToTexture2D::Format::RGBA16F},
+                                              .label = "aolib/frame/normals"});
         !status) {
         return status;
     }

@@ -49,25 +49,25 @@ AoStatus HostSamples::makeTargets(const gl::Functions& gl, const glm::ivec2& siz
                                   gl::RenderToTexture2D::Depth format, int samples) {
     using Format = gl::RenderToTexture2D::Format;
     using Filter = gl::RenderToTexture2D::Filter;
-    AoStatus status = samples_.become(gl, {.width = size.x,
-                                           .height = size.y,
-                                           .samples = samples,
-                                           .format = format,
-                                           .label = "aolib/frame/samples"});
+    AoStatus status = samples_.reset(gl, {.width = size.x,
+                                          .height = size.y,
+                                          .samples = samples,
+                                          .format = format,
+                                          .label = "aolib/frame/samples"});
     if (status) {
-        status = resolved_.become(gl, {.width = size.x,
-                                       .height = size.y,
-                                       .targets = {Format::R32F, Format::R8},
-                                       .minFilter = Filter::Linear,
-                                       .magFilter = Filter::Linear,
-                                       .label = "aolib/frame/resolved"});
+        status = resolved_.reset(gl, {.width = size.x,
+                                      .height = size.y,
+                                      .targets = {Format::R32F, Format::R8},
+                                      .minFilter = Filter::Linear,
+                                      .magFilter = Filter::Linear,
+                                      .label = "aolib/frame/resolved"});
     }
     const glm::ivec2 tiles = (size + kTileSize - 1) / kTileSize;
     if (status) {
-        status = tiles_.become(gl, {.width = tiles.x,
-                                    .height = tiles.y,
-                                    .targets = {Format::R8},
-                                    .label = "aolib/frame/edge tiles"});
+        status = tiles_.reset(gl, {.width = tiles.x,
+                                   .height = tiles.y,
+                                   .targets = {Format::R8},
+                                   .label = "aolib/frame/edge tiles"});
     }
     return status;
 }
@@ -113,7 +113,7 @@ void HostSamples::setUniforms(gl::GLSLShader& shader) const {
 
 /// Binds a shader that finds one depth per pixel.
 void HostSamples::bindToResolve(const Frame& frame, gl::GLSLShader& shader) const {
-    resolved_.beginAll();
+    resolved_.bindAllAsTargets();
     shader.bind();
     setUniforms(shader);
     shader.set("uSampleCount", count());
@@ -123,13 +123,13 @@ void HostSamples::bindToResolve(const Frame& frame, gl::GLSLShader& shader) cons
 void HostSamples::resolve(const BackboneContext& context, const Frame& frame) {
     const gl::MultisampleBinding binding = bindSamples(context.gl);
     bindToResolve(frame, *resolve_);
-    context.generated.drawFullscreen();
-    tiles_.begin(0);
+    context.emptyVertexArray.drawFullscreen();
+    tiles_.bindAsTarget(0);
     findTiles_->bind();
     bindEdges(kFoundEdgesUnit);
     findTiles_->set("uEdges", kFoundEdgesUnit);
     findTiles_->set("uTileSize", kTileSize);
-    context.generated.drawFullscreen();
+    context.emptyVertexArray.drawFullscreen();
     bindToResolve(frame, *resolveEdges_);
     drawTiles(context, *resolveEdges_, kFoundEdgesUnit);
 }
@@ -139,7 +139,8 @@ void HostSamples::drawTiles(const BackboneContext& context, gl::GLSLShader& shad
     tiles_.bindTexture(0, unit);
     shader.set("uTiles", unit);
     shader.set("uTileSize", kTileSize);
-    context.generated.drawGenerated(GL_TRIANGLES, kTileVertices * tiles_.width() * tiles_.height());
+    context.emptyVertexArray.drawGenerated(GL_TRIANGLES,
+                                           kTileVertices * tiles_.width() * tiles_.height());
 }
 
 std::size_t HostSamples::bytes() const {

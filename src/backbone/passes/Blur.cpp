@@ -26,10 +26,10 @@ AoStatus Blur::apply(const FrameContext& context, const GeometryBuffer& geometry
                      const gl::RenderToTexture2D& projected, int size, BlurredPictures& into) {
     const gl::DebugGroup group(context.gl, "aolib: blur");
     const auto makeTarget = [&](gl::RenderToTexture2D& target, const char* label) {
-        return target.become(context.gl, {.width = context.frame.size.x,
-                                          .height = context.frame.size.y,
-                                          .targets = {gl::RenderToTexture2D::Format::RG32F},
-                                          .label = label});
+        return target.reset(context.gl, {.width = context.frame.size.x,
+                                         .height = context.frame.size.y,
+                                         .targets = {gl::RenderToTexture2D::Format::RG32F},
+                                         .label = label});
     };
     if (AoStatus status = makeTarget(into.visibility, "aolib/frame/visibility"); !status) {
         return status;
@@ -38,13 +38,13 @@ AoStatus Blur::apply(const FrameContext& context, const GeometryBuffer& geometry
         return status;
     }
     const auto draw = [&](gl::GLSLShader& shader, const gl::RenderToTexture2D& target) {
-        target.begin(0);
+        target.bindAsTarget(0);
         shader.bind();
         geometry.bind(shader, context.frame, 0, 1);
         projected.bindTexture(0, 2);
         shader.set("uVisibility", 2);
         shader.set("uHalfSize", size / 2);
-        context.generated.drawFullscreen();
+        context.emptyVertexArray.drawFullscreen();
     };
     draw(rows_, into.rows);
     into.rows.bindTexture(0, 3);

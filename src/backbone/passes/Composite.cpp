@@ -49,7 +49,7 @@ void endBlend(const BackboneContext& context) {
 
 void blendIntoHost(const BackboneContext& context) {
     beginBlend(context);
-    context.generated.drawFullscreen();
+    context.emptyVertexArray.drawFullscreen();
     endBlend(context);
 }
 
@@ -149,7 +149,7 @@ void Composite::drawPixels(const FrameContext& context, const gl::RenderToTextur
     }
     shader.set("uOrigin", origin);
     shader.set("uContrast", contrast);
-    context.generated.drawFullscreen();
+    context.emptyVertexArray.drawFullscreen();
 }
 
 void Composite::drawEdges(const FrameContext& context, const gl::RenderToTexture2D& visibility,
@@ -197,7 +197,7 @@ void Composite::show(const FrameContext& context, const Inputs& inputs) {
     show_.set("uSceneSize", context.scene.bounds().diagonal());
     show_.set("uEye",
               glm::vec3(glm::mod(context.frame.camera.eye(), double{context.options.radius})));
-    context.generated.drawFullscreen();
+    context.emptyVertexArray.drawFullscreen();
 }
 
 } // namespace aolib

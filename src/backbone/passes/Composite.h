@@ -54,7 +54,7 @@ void beginBlend(const BackboneContext& context);
 void endBlend(const BackboneContext& context);
 /// Multiplies the bound shader's output into the host's colours.
 void blendIntoHost(const BackboneContext& context);
-/// Undoes what beginHostColours() did to the clean slate.
+/// Undoes what beginHostColours() did to the known GL state.
 void endHostColours(const BackboneContext& context);
 
 } // namespace aolib

@@ -50,7 +50,7 @@ void CubeMapOutlines::draw(const FrameContext& context,
     for (const CubeMapProjector* projector : projectors) {
         const glm::dvec3 offset = glm::dvec3(projector->position()) - context.frame.camera.eye();
         shader_.set("uCubeToClip", glm::mat4(eyeToClip * glm::translate(glm::dmat4(1.0), offset)));
-        context.generated.drawGenerated(GL_LINES, kEdgeVertices);
+        context.emptyVertexArray.drawGenerated(GL_LINES, kEdgeVertices);
     }
     if (gl.capabilities.clipControl) {
         gl.ClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);

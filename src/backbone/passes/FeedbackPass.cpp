@@ -67,11 +67,11 @@ AoStatus FeedbackPass::issue(const FrameContext& context, const ProjectedCubeMap
         if (request.readback.pending()) {
             continue;
         }
-        target_.begin(0);
+        target_.bindAsTarget(0);
         Projection::bind(shader_, context, cubeMaps);
         shader_.set("uTargetSize", glm::vec2(kSize));
-        context.generated.drawFullscreen();
-        target_.beginRead(0);
+        context.emptyVertexArray.drawFullscreen();
+        target_.bindForReading(0);
         request.readback.start(kSize, kSize, GL_RGBA, GL_FLOAT);
         request.frame = frameNumber;
         request.eye = context.frame.camera.eye();

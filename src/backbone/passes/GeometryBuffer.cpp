@@ -19,10 +19,10 @@ AoStatus GeometryPass::update(const FrameContext& context, GeometryBuffer& buffe
     using Format = gl::RenderToTexture2D::Format;
     const gl::DebugGroup group(context.gl, "aolib: geometry buffer");
     gl::RenderToTexture2D& target = buffer.target_;
-    if (AoStatus status = target.become(context.gl, {.width = context.frame.size.x,
-                                                     .height = context.frame.size.y,
-                                                     .targets = {Format::R32F, Format::RG16F},
-                                                     .label = "aolib/frame/geometry"});
+    if (AoStatus status = target.reset(context.gl, {.width = context.frame.size.x,
+                                                    .height = context.frame.size.y,
+                                                    .targets = {Format::R32F, Format::RG16F},
+                                                    .label = "aolib/frame/geometry"});
         !status) {
         return status;
     }
@@ -35,7 +35,7 @@ AoStatus GeometryPass::update(const FrameContext& context, GeometryBuffer& buffe
         withNormals_ = std::move(*shader);
     }
     gl::GLSLShader& shader = context.frame.hostNormals ? *withNormals_ : shader_;
-    target.beginAll();
+    target.bindAllAsTargets();
     context.host.bindDepth(0);
     shader.bind();
     shader.set("uDepth", 0);
@@ -45,7 +45,7 @@ AoStatus GeometryPass::update(const FrameContext& context, GeometryBuffer& buffe
         shader.set("uNormalCode", context.host.normalCode());
     }
     context.frame.camera.setUniforms(shader, context.frame.size, context.frame.clip);
-    context.generated.drawFullscreen();
+    context.emptyVertexArray.drawFullscreen();
     return {};
 }
 

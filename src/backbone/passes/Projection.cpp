@@ -164,12 +164,12 @@ Result<const gl::RenderToTexture2D*> Projection::projectToTexture(const FrameCon
                                                                   ProjectedPictures& pictures,
                                                                   bool withDepth) {
     const gl::DebugGroup group(context.gl, "aolib: project");
-    if (AoStatus status = pictures.visibility.become(
-            context.gl, {.width = context.frame.size.x,
-                         .height = context.frame.size.y,
-                         .targets = {gl::RenderToTexture2D::Format::R32F},
-                         .depth = gl::RenderToTexture2D::Depth::Depth16,
-                         .label = "aolib/frame/visibility"});
+    if (AoStatus status =
+            pictures.visibility.reset(context.gl, {.width = context.frame.size.x,
+                                                   .height = context.frame.size.y,
+                                                   .targets = {gl::RenderToTexture2D::Format::R32F},
+                                                   .depth = gl::RenderToTexture2D::Depth::Depth16,
+                                                   .label = "aolib/frame/visibility"});
         !status) {
         return status;
     }
@@ -183,14 +183,14 @@ Result<const gl::RenderToTexture2D*> Projection::projectToTexture(const FrameCon
     (*shader)->set("uOrigin", glm::ivec2(0));
     (*shader)->set("uContrast", 1.0F);
     (*shader)->set("uKnownAlone", 1);
-    pictures.visibility.begin(0);
+    pictures.visibility.bindAsTarget(0);
     gl.ClearBufferfv(GL_COLOR, 0, kUnknown);
     if (withDepth) {
         gl.ClearBufferfv(GL_DEPTH, 0, &kFar);
         gl.Enable(GL_DEPTH_TEST);
         gl.DepthFunc(GL_ALWAYS);
     }
-    context.generated.drawFullscreen();
+    context.emptyVertexArray.drawFullscreen();
     gl.DepthFunc(GL_LESS);
     gl.Disable(GL_DEPTH_TEST);
     return &pictures.visibility;
@@ -198,10 +198,10 @@ Result<const gl::RenderToTexture2D*> Projection::projectToTexture(const FrameCon
 
 AoStatus Projection::prepare(const BackboneContext& context, const glm::ivec2& size,
                              gl::RenderToTexture2D& target) {
-    return target.become(context.gl, {.width = size.x,
-                                      .height = size.y,
-                                      .targets = {gl::RenderToTexture2D::Format::RGBA32F},
-                                      .label = "aolib/frame/best"});
+    return target.reset(context.gl, {.width = size.x,
+                                     .height = size.y,
+                                     .targets = {gl::RenderToTexture2D::Format::RGBA32F},
+                                     .label = "aolib/frame/best"});
 }
 
 Result<const gl::RenderToTexture2D*> Projection::project(const FrameContext& context,
@@ -228,14 +228,14 @@ Result<const gl::RenderToTexture2D*> Projection::project(const FrameContext& con
     for (int first = 0; first == 0 || first < cubes; first += perPass) {
         const gl::RenderToTexture2D* next =
             best == &pictures.best[0] ? &pictures.best[1] : &pictures.best[0];
-        next->begin(0);
+        next->bindAsTarget(0);
         if (best != nullptr) {
             best->bindTexture(0, kBestUnit);
         }
         shader.set("uFirstPass", best == nullptr ? 1 : 0);
         shader.set("uFirstCube", first);
         shader.set("uEndCube", std::min(first + perPass, cubes));
-        context.generated.drawFullscreen();
+        context.emptyVertexArray.drawFullscreen();
         best = next;
     }
     return best;
@@ -254,8 +254,8 @@ Result<const gl::RenderToTexture2D*> Projection::apply(const FrameContext& conte
     }
     gl::GLSLShader& shader = upsample_[cubeMaps.refined == nullptr ? 0 : 1];
     bindHalf(shader, context, cubeMaps, **projected);
-    pictures.upsampled.begin(0);
-    context.generated.drawFullscreen();
+    pictures.upsampled.bindAsTarget(0);
+    context.emptyVertexArray.drawFullscreen();
     return &pictures.upsampled;
 }
 

@@ -25,8 +25,8 @@ constexpr float kLeastInSoftware = 0.5F;
 
 bool ScreenSpaceFallback::due(const BackboneContext& context, float shaded, bool atOnce) {
     const bool dear = context.gl.capabilities.software && shaded < kLeastInSoftware;
-    return context.options.cubeMaps.screenSpaceFallback && !context.scene.empty() && shaded < 1.0F &&
-           (!dear || atOnce);
+    return context.options.cubeMaps.screenSpaceFallback && !context.scene.empty() &&
+           shaded < 1.0F && (!dear || atOnce);
 }
 
 Result<ScreenSpaceFallback> ScreenSpaceFallback::create(const BackboneContext& context) {
@@ -61,9 +61,9 @@ void ScreenSpaceFallback::fillTexture(const FrameContext& context,
     bind(context);
     visibility_.set("uMask", kFallbackDepthUnit); // not read
     visibility_.set("uUseMask", 0);
-    visibility.begin(0);
+    visibility.bindAsTarget(0);
     gl.Enable(GL_DEPTH_TEST); // covered pixels fail it: a software rasteriser, too, skips them
-    context.generated.drawFullscreen();
+    context.emptyVertexArray.drawFullscreen();
     gl.Disable(GL_DEPTH_TEST);
 }
 
@@ -74,9 +74,9 @@ void ScreenSpaceFallback::fill(const FrameContext& context, const gl::RenderToTe
     projected.bindTexture(0, kMaskUnit);
     visibility_.set("uMask", kMaskUnit);
     visibility_.set("uUseMask", 1);
-    visibility.begin(0);
+    visibility.bindAsTarget(0);
     context.gl.ColorMaski(0, GL_TRUE, GL_FALSE, GL_FALSE, GL_FALSE);
-    context.generated.drawFullscreen();
+    context.emptyVertexArray.drawFullscreen();
     context.gl.ColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 

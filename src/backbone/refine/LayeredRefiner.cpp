@@ -174,7 +174,7 @@ AoStatus LayeredRefiner::makeTargets(const StaticView& view, RefinedPixels& pixe
     if (sums) {
         constexpr std::array<GLfloat, 4> kNoWeight{};
         work_->sums = std::move(*sums);
-        work_->sums.begin(0);
+        work_->sums.bindAsTarget(0);
         gl.ClearBufferfv(GL_COLOR, 0, kNoWeight.data());
     }
     return sums.status();
@@ -207,7 +207,7 @@ void LayeredRefiner::accumulate(const StaticView& view, const glm::ivec2& tile, 
     const FrameContext& context = view.context;
     const gl::Functions& gl = context.gl;
     const glm::ivec2 extent = glm::min(kPixelTile, view.context.frame.size - tile);
-    work_->sums.begin(0);
+    work_->sums.bindAsTarget(0);
     gl::setViewport(gl, tile.x, tile.y, extent.x, extent.y);
     shared_.visibility.bind();
     work_->around.capture->bind(shared_.visibility);
@@ -219,21 +219,21 @@ void LayeredRefiner::accumulate(const StaticView& view, const glm::ivec2& tile, 
     shared_.visibility.set("uSliceCount", count);
     setEstimatorUniforms(shared_.visibility, ofPixels(context.options));
     gl::beginBlending(gl, GL_ONE, GL_ONE, GL_ONE, GL_ONE);
-    context.generated.drawFullscreen();
+    context.emptyVertexArray.drawFullscreen();
     gl::endBlending(gl);
 }
 
 void LayeredRefiner::keep(const StaticView& view, const RefinedPixels& pixels,
                           const glm::ivec2& tile) {
     const glm::ivec2 extent = glm::min(kPixelTile, view.context.frame.size - tile);
-    pixels.texture()->begin(0);
+    pixels.texture()->bindAsTarget(0);
     gl::setViewport(view.context.gl, tile.x, tile.y, extent.x, extent.y);
     shared_.keep.bind();
     work_->sums.bindTexture(0, kSumsUnit);
     view.context.host.bindDepth(kHostDepthUnit);
     shared_.keep.set("uSums", kSumsUnit);
     shared_.keep.set("uDepth", kHostDepthUnit);
-    view.context.generated.drawFullscreen();
+    view.context.emptyVertexArray.drawFullscreen();
 }
 
 } // namespace aolib

@@ -165,15 +165,15 @@ AoStatus RayTracedRefiner::findPixels(const StaticView& view) {
     }
     lowConfidence_ = std::move(*found);
     readback_ = std::move(*readback);
-    lowConfidence_.begin(0);
+    lowConfidence_.bindAsTarget(0);
     Projection::bind(**shader, view.context, view.cubeMaps);
     if (samples == nullptr) {
-        view.context.generated.drawFullscreen();
+        view.context.emptyVertexArray.drawFullscreen();
     } else {
         const gl::MultisampleBinding binding = samples->bindSamples(gl);
-        view.context.generated.drawFullscreen();
+        view.context.emptyVertexArray.drawFullscreen();
     }
-    lowConfidence_.beginRead(0);
+    lowConfidence_.bindForReading(0);
     readback_.start(size.x, size.y, samples == nullptr ? GL_RED : GL_RGBA, GL_FLOAT);
     phase_ = Phase::Reading;
     return {};
@@ -252,18 +252,18 @@ std::vector<TexelRequest> RayTracedRefiner::requests(const StaticView& view) con
                              .rays = kRaysPerTexelRay * options.rayTraced.rays,
                              .radius = options.radius,
                              .falloff = options.falloff,
-                             .sights = {}};
+                             .primaryRays = {}};
         for (const Pixel& pixel : pixels) {
             const HostCamera::Surface surface = camera.surfaceAt(
                 pixel.at, static_cast<double>(pixel.seen.z), view.context.frame.size,
                 view.context.frame.clip, glm::dvec2(pixel.seen));
             const glm::dvec3 reach =
                 (2.0 * surface.resolution + kReach * surface.footprint) * surface.viewer;
-            request.sights.push_back({glm::vec3(rest + surface.position + reach),
-                                      glm::vec3(rest + surface.position - reach)});
+            request.primaryRays.push_back({glm::vec3(rest + surface.position + reach),
+                                           glm::vec3(rest + surface.position - reach)});
         }
-        while (request.sights.size() % kBlock != 0) {
-            request.sights.push_back(request.sights.back());
+        while (request.primaryRays.size() % kBlock != 0) {
+            request.primaryRays.push_back(request.primaryRays.back());
         }
         queue.push_back(std::move(request));
     }

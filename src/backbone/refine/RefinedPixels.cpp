@@ -17,7 +17,7 @@ AoStatus RefinedPixels::makeRoom(const gl::Functions& gl, const glm::ivec2& size
                                                  .label = "aolib/refiner/pixels"});
     if (created) {
         texture_ = std::move(*created);
-        texture_->begin(0);
+        texture_->bindAsTarget(0);
         const std::array<float, 4> nothing{kNothing.x, kNothing.y, 0.0F, 0.0F};
         gl.ClearBufferfv(GL_COLOR, 0, nothing.data());
     }

@@ -63,7 +63,7 @@ bool BoxVisibilityQuery::isVisible(const BackboneContext& context,
     const float farthest = region.farthest(centre);
     const float near = 0.5F * nearest; // below nearest / sqrt(3), so that no face clips it
     const float far = 2.0F * farthest;
-    target->begin(0);
+    target->bindAsTarget(0);
     shader_.bind();
     store.bind(shader_, 1, 0);
     shader_.set("uDepthCode", projector.depthCode());
@@ -75,7 +75,7 @@ bool BoxVisibilityQuery::isVisible(const BackboneContext& context,
     for (int face = 0; face < kFaces; ++face) {
         shader_.set("uLayer", projector.layer(face));
         shader_.set("uCubeToFace", cubeToFace(face));
-        context.generated.drawGenerated(GL_TRIANGLES, kBoxVertices);
+        context.emptyVertexArray.drawGenerated(GL_TRIANGLES, kBoxVertices);
     }
     gl.EndQuery(GL_ANY_SAMPLES_PASSED);
     GLint seen = GL_TRUE;

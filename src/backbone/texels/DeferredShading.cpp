@@ -148,7 +148,7 @@ AoStatus DeferredShading::step(const BackboneContext& context, CubeMapCapture& c
                      .label = "aolib/accumulated"});
     if (accumulated) {
         const std::array<GLfloat, 4> nothing{};
-        accumulated->begin(0);
+        accumulated->bindAsTarget(0);
         context.gl.ClearBufferfv(GL_COLOR, 0, nothing.data());
         capture.accumulated = std::move(*accumulated);
     }
@@ -169,7 +169,7 @@ void DeferredShading::addPasses(const BackboneContext& context, const CubeMapCap
     visibility_.set("uSliceCount", count);
     setEstimatorUniforms(visibility_, context.options);
     gl::beginBlending(context.gl, GL_ONE, GL_ONE, GL_ONE, GL_ONE);
-    context.generated.drawFullscreen();
+    context.emptyVertexArray.drawFullscreen();
     gl::endBlending(context.gl);
 }
 
@@ -190,13 +190,13 @@ void DeferredShading::keep(const BackboneContext& context, const CubeMapCapture&
     resolve_.set("uDepthCode", projector.depthCode());
     resolve_.set("uReach", smoothing.reach);
     resolve_.set("uOwnWeight", smoothing.ownWeight);
-    context.generated.drawFullscreen();
+    context.emptyVertexArray.drawFullscreen();
 }
 
 void DeferredShading::accumulate(const BackboneContext& context, const CubeMapCapture& capture,
                                  const TileTable::Region& region, int first, int count) {
     const glm::ivec2 origin(region.face * capture.accumulated.height(), 0);
-    capture.accumulated.begin(0);
+    capture.accumulated.bindAsTarget(0);
     gl::setViewport(context.gl, origin.x + region.x, region.y, region.width, region.height);
     addPasses(context, capture, {region.face, 0, origin}, first, count);
 }
@@ -214,14 +214,14 @@ AoStatus DeferredShading::accumulateHidden(const BackboneContext& context, CubeM
                                            const TileTable::Region& region, int layer, int pass) {
     constexpr int kEdge = TileTable::kTile + 2 * kApron;
     if (AoStatus status =
-            capture.hidden.become(context.gl, {.width = kEdge,
-                                               .height = kEdge,
-                                               .targets = {gl::RenderToTexture2D::Format::RG32F},
-                                               .label = "aolib/accumulated/hidden"});
+            capture.hidden.reset(context.gl, {.width = kEdge,
+                                              .height = kEdge,
+                                              .targets = {gl::RenderToTexture2D::Format::RG32F},
+                                              .label = "aolib/accumulated/hidden"});
         !status) {
         return status;
     }
-    capture.hidden.begin(0);
+    capture.hidden.bindAsTarget(0);
     if (pass == 0) {
         const std::array<GLfloat, 4> nothing{};
         context.gl.ClearBufferfv(GL_COLOR, 0, nothing.data());

@@ -82,7 +82,7 @@ AoStatus DrawnCapture::makeTargets() {
         if (made) {
             nearest_ = std::move(*made);
             const std::array<GLfloat, 4> nothing{0.0F, 0.0F, 0.0F, -1.0F};
-            nearest_.beginAll();
+            nearest_.bindAllAsTargets();
             context_.gl.ClearBufferfv(GL_COLOR, 0, nothing.data());
         }
     }
@@ -104,10 +104,10 @@ AoStatus DrawnCapture::makeTargets() {
 
 AoStatus DrawnCapture::drawFace(const FaceView& view) const {
     const gl::Functions& gl = context_.gl;
-    // The callback may leave any state: what it finds, a clean slate, is put back after it.
+    // The callback may leave any state: what it finds, a known GL state, is put back after it.
     const gl::StateGuard guard(gl);
     const GLfloat deepest = 1.0F;
-    depth_.beginAll();
+    depth_.bindAllAsTargets();
     gl.ClearBufferfv(GL_DEPTH, 0, &deepest);
     gl.Enable(GL_DEPTH_TEST);
     try {
@@ -128,9 +128,9 @@ AoStatus DrawnCapture::convertFace(const FaceView& view) {
     }
     const glm::ivec2 origin(asIntervals_ ? 0 : face_ * size_, 0);
     if (asIntervals_) {
-        intervals_.begin(face_);
+        intervals_.bindAsTarget(face_);
     } else {
-        nearest_.beginAll();
+        nearest_.bindAllAsTargets();
     }
     gl::setViewport(context_.gl, origin.x, origin.y, size_, size_);
     shader_.bind();
@@ -141,7 +141,7 @@ AoStatus DrawnCapture::convertFace(const FaceView& view) {
         shader_.set("uThickness", assumedThickness(context_.options));
     }
     camera->setUniforms(shader_, view.size, {.depthQuantum = kDepthQuantum});
-    context_.generated.drawFullscreen();
+    context_.emptyVertexArray.drawFullscreen();
     return {};
 }
 

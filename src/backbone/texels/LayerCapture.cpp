@@ -158,7 +158,7 @@ AoStatus LayerCapture::makeTargets(Targets& made, const glm::ivec2& size, std::s
 void LayerCapture::drawSides() {
     const gl::RenderToTexture2D& sides = targets().exits;
     if (peeling_.drawSides(faces_, face_, sides)) {
-        sides.beginRead(0);
+        sides.bindForReading(0);
         readback().start(sides.width(), sides.height(), GL_RED, GL_FLOAT);
     }
     nextFace();
@@ -211,7 +211,7 @@ void LayerCapture::drawCount() {
     if (counts_[at()] > 0) {
         const gl::RenderToTexture2D& counts = targets().counts;
         peeling_.drawCounts(faces_, face_, marks_, counts);
-        counts.beginRead(0);
+        counts.bindForReading(0);
         readback().start(counts.width(), counts.height(), GL_RED, GL_UNSIGNED_BYTE);
     }
     nextFace();
@@ -267,7 +267,7 @@ void LayerCapture::peel() {
         return;
     }
     peeling_.peelExits(faces_, face_, marks_, entries, exits);
-    intervals_[sizeOf(face_)].begin((face_ < kFaces ? firstLayer(face_) : 0) + layer_);
+    intervals_[sizeOf(face_)].bindAsTarget((face_ < kFaces ? firstLayer(face_) : 0) + layer_);
     peeling_.pack(context_, entries, exits);
     entered_ = false;
     if (++layer_ == counts_[at()]) {

@@ -16,7 +16,7 @@ constexpr std::array<GLfloat, 4> kNone{};
 void clear(const gl::Functions& gl, const gl::RenderToTexture2D& target,
            const std::array<GLfloat, 4>& value) {
     const GLfloat deepest = 1.0F;
-    target.beginAll();
+    target.bindAllAsTargets();
     gl.ClearBufferfv(GL_COLOR, 0, value.data());
     gl.ClearBufferfv(GL_DEPTH, 0, &deepest);
 }
@@ -64,7 +64,7 @@ bool LayerPeeling::drawSides(const FaceCapture& faces, int face,
 
 void LayerPeeling::drawCounts(const FaceCapture& faces, int face, const Marks& marks,
                               const gl::RenderToTexture2D& counts) {
-    counts.begin(0);
+    counts.bindAsTarget(0);
     gl_->ClearBufferfv(GL_COLOR, 0, kNone.data());
     gl::beginBlending(*gl_, GL_ONE, GL_ONE, GL_ONE, GL_ONE);
     count_.bind();
@@ -107,7 +107,7 @@ void LayerPeeling::pack(const BackboneContext& context, const gl::RenderToTextur
     exits.bindTexture(0, 1);
     pack_.set("uEntry", 0);
     pack_.set("uExit", 1);
-    context.generated.drawFullscreen();
+    context.emptyVertexArray.drawFullscreen();
 }
 
 } // namespace aolib

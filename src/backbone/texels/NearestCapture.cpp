@@ -18,7 +18,7 @@ AoStatus NearestCapture::makeTarget() {
     target_ = std::move(*target);
     const std::array<GLfloat, 4> nothing{0.0F, 0.0F, 0.0F, -1.0F};
     const GLfloat deepest = 1.0F;
-    target_.beginAll();
+    target_.bindAllAsTargets();
     context_.gl.ClearBufferfv(GL_COLOR, 0, nothing.data());
     context_.gl.ClearBufferfv(GL_DEPTH, 0, &deepest);
     return {};
@@ -29,7 +29,7 @@ AoStatus NearestCapture::step() {
     if (!target_) {
         return makeTarget();
     }
-    target_.beginAll();
+    target_.bindAllAsTargets();
     gl::setViewport(context_.gl, face_ * faces_.size(), 0, faces_.size(), faces_.size());
     shader_.bind();
     modelled_[static_cast<std::size_t>(face_)] = faces_.draw(shader_, face_);

@@ -163,7 +163,7 @@ TexelRequest RayTracedTexels::requestFor(const Wanted& wanted) const {
             .rays = raysAfter(context_.options, wanted.passes + 1) - before,
             .radius = context_.options.radius,
             .falloff = context_.options.falloff,
-            .sights = {}};
+            .primaryRays = {}};
 }
 
 void RayTracedTexels::request() {

@@ -10,11 +10,11 @@
 #include <aolib/ProcAddressLoader.h>
 #include <aolib/bake/AbstractBaker.h>
 
-#include "bake/maps/CheckOptions.h"
 #include "bake/geometry/BakeGeometry.h"
 #include "bake/gpu/BakeVertices.h"
 #include "bake/gpu/LightView.h"
 #include "bake/gpu/Reach.h"
+#include "bake/maps/CheckOptions.h"
 #include "gl/ContextGroup.h"
 
 namespace aolib::bake {
@@ -30,7 +30,7 @@ struct DirectionPlan {
     std::uint32_t seed = 0;
 };
 
-/// Adds what up to `atOnce` directions light, on a clean slate of GL state.
+/// Adds what up to `atOnce` directions light, on a known GL state of GL state.
 using AddViews = std::function<AoStatus(std::span<const LightView> views)>;
 
 /// What every baker on the GPU has, and does.

@@ -106,14 +106,14 @@ Result<ScatterPasses> ScatterPasses::create(const gl::Functions& gl, const Setti
         return firstError.status();
     }
     passes.facets_.upload(0, {0, 0}, size, facets.data());
-    passes.sums_.begin(0);
+    passes.sums_.bindAsTarget(0);
     const glm::vec4 nothing(0.0F);
     gl.ClearBufferfv(GL_COLOR, 0, glm::value_ptr(nothing));
     return passes;
 }
 
 void ScatterPasses::clearSurface() const {
-    surface_.beginAll();
+    surface_.bindAllAsTargets();
     const glm::vec4 nothing(0.0F);
     gl_->ClearBufferfv(GL_COLOR, 0, glm::value_ptr(nothing));
     if (settings_.draws) {
@@ -182,7 +182,7 @@ AoStatus ScatterPasses::drawSlabs(const LightView& view, const std::function<voi
 void ScatterPasses::scatter(const LightView& view) {
     const gl::DebugGroup group(*gl_, "aolib/bake/points");
     const ShaderPoints points(*gl_);
-    sums_.begin(0);
+    sums_.bindAsTarget(0);
     surface_.bindTexture(0, 0);
     surface_.bindTexture(1, 1);
     pointShader_.bind();
@@ -206,7 +206,7 @@ void ScatterPasses::scatter(const LightView& view) {
 const std::vector<glm::vec4>& ScatterPasses::readSurface() {
     picture_.resize(static_cast<std::size_t>(settings_.rasterSize) *
                     static_cast<std::size_t>(settings_.rasterSize));
-    surface_.beginRead(0);
+    surface_.bindForReading(0);
     gl_->ReadPixels(0, 0, settings_.rasterSize, settings_.rasterSize, GL_RGBA, GL_FLOAT,
                     picture_.data());
     if (slabs_) {
@@ -225,7 +225,7 @@ const std::vector<glm::vec4>& ScatterPasses::readSurface() {
 std::vector<glm::vec4> ScatterPasses::sums() const {
     std::vector<glm::vec4> texels(static_cast<std::size_t>(sums_.width()) *
                                   static_cast<std::size_t>(sums_.height()));
-    sums_.beginRead(0);
+    sums_.bindForReading(0);
     gl_->ReadPixels(0, 0, sums_.width(), sums_.height(), GL_RGBA, GL_FLOAT, texels.data());
     return texels;
 }

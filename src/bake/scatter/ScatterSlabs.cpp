@@ -47,7 +47,7 @@ AoStatus ScatterSlabs::prepare(int slab) {
 }
 
 void ScatterSlabs::drawBefore(int slab) {
-    before_.beginAll();
+    before_.bindAllAsTargets();
     const float farthest = 1.0F;
     gl_->ClearBufferfv(GL_DEPTH, 0, &farthest);
     if (triangles_.empty(slab - 1)) {

@@ -18,7 +18,7 @@ namespace aolib::bake {
 
 /// Scattering where occluders have an end: a direction's picture of each slab by itself. What is
 /// nearest to the light in a slab hides all else that is in it, and is lit unless something of the
-/// slab before lies within the reach. Needs a clean slate of GL state in each call.
+/// slab before lies within the reach. Needs a known GL state of GL state in each call.
 class ScatterSlabs {
 public:
     /// The vertices, which keep their triangles, must outlive it. @param rasterSize  pixels along a

@@ -40,7 +40,7 @@ Result<DepthTiles> DepthTiles::create(const gl::Functions& gl, int size, int cou
 }
 
 void DepthTiles::begin(bool anew) {
-    depths_.beginAll();
+    depths_.bindAllAsTargets();
     if (anew) {
         const float farthest = 1.0F;
         gl_->ClearBufferfv(GL_DEPTH, 0, &farthest);

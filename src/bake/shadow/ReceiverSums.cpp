@@ -60,7 +60,7 @@ Result<ReceiverSums> ReceiverSums::create(const gl::Functions& gl, const glm::iv
 void ReceiverSums::begin(const BakeFrame& frame,
                          std::span<const std::optional<SurfacePoint>> receivers) {
     box_ = computeBox(frame, receivers);
-    sums_.begin(0);
+    sums_.bindAsTarget(0);
     const glm::vec4 nothing(0.0F);
     gl_->ClearBufferfv(GL_COLOR, 0, glm::value_ptr(nothing));
     std::vector<glm::vec4> layer(receivers.size());
@@ -80,7 +80,7 @@ void ReceiverSums::begin(const BakeFrame& frame,
 }
 
 void ReceiverSums::add(gl::GLSLShader& shader) const {
-    sums_.begin(0);
+    sums_.bindAsTarget(0);
     receivers_.bind(0);
     shader.set("uReceivers", 0);
     gl_->Enablei(GL_BLEND, 0);
@@ -92,7 +92,7 @@ void ReceiverSums::add(gl::GLSLShader& shader) const {
 std::vector<glm::vec4> ReceiverSums::sums() const {
     std::vector<glm::vec4> texels(static_cast<std::size_t>(size_.x) *
                                   static_cast<std::size_t>(size_.y));
-    sums_.beginRead(0);
+    sums_.bindForReading(0);
     gl_->ReadPixels(0, 0, size_.x, size_.y, GL_RGBA, GL_FLOAT, texels.data());
     return texels;
 }

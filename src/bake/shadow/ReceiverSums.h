@@ -18,7 +18,7 @@
 
 namespace aolib::bake {
 
-/// A grid of receivers on the GPU, and the sums of what lights them. Needs a clean slate of GL
+/// A grid of receivers on the GPU, and the sums of what lights them. Needs a known GL state of GL
 /// state in each call.
 class ReceiverSums {
 public:

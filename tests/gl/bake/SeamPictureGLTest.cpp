@@ -131,7 +131,7 @@ std::vector<glm::vec4> SeamPictureGLTest::drawn(const UvMesh& mesh, GLuint map,
     settings.depth = gl::RenderToTexture2D::Depth::Depth32F;
     auto target = gl::RenderToTexture2D::create(gl, settings);
     EXPECT_TRUE(body.ok() && shader.ok() && target.ok());
-    target->beginAll();
+    target->bindAllAsTargets();
     const std::array<float, 4> nothing{-1.0F, -1.0F, -1.0F, -1.0F};
     const float farthest = 1.0F;
     gl.ClearBufferfv(GL_COLOR, 0, nothing.data());
@@ -144,7 +144,7 @@ std::vector<glm::vec4> SeamPictureGLTest::drawn(const UvMesh& mesh, GLuint map,
     body->drawTriangles();
     gl.Disable(GL_DEPTH_TEST);
     std::vector<glm::vec4> pixels(std::size_t{side} * side);
-    target->beginRead(0);
+    target->bindForReading(0);
     gl.ReadPixels(0, 0, side, side, GL_RGBA, GL_FLOAT, pixels.data());
     return pixels;
 }

@@ -239,7 +239,7 @@ TEST_P(FacadeGLTest, FramesRefuseWhatTheyCannotUse) {
                                            .height = 8,
                                            .targets = {gl::RenderToTexture2D::Format::RGBA8},
                                            .label = "test"});
-    colourOnly->begin(0);
+    colourOnly->bindAsTarget(0);
     EXPECT_EQ(endAt(0), StatusCode::InvalidFramebuffer);
     const auto empty = gl::generate<gl::Framebuffer>(gl, &gl::Functions::GenFramebuffers);
     gl.BindFramebuffer(GL_FRAMEBUFFER, empty.name());

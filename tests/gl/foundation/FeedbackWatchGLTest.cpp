@@ -50,7 +50,7 @@ TEST_P(FeedbackWatchGLTest, SeesATextureThatIsDrawnToAndBound) {
     shader.set("two", 5);
     const RenderToTexture2D drawn = target();
     const RenderToTexture2D other = target();
-    drawn.begin(0);
+    drawn.bindAsTarget(0);
     other.bindTexture(0, 3);
     other.bindTexture(1, 5);
     drawn.bindTexture(0, 4); // which nothing reads
@@ -72,7 +72,7 @@ TEST_P(FeedbackWatchGLTest, SeesDepthArraysAndLayers) {
     depth.set("depths[1]", 1);
     const RenderToTexture2D drawn = target(Depth::Depth24);
     const RenderToTexture2D other = target();
-    drawn.begin(0);
+    drawn.bindAsTarget(0);
     other.bindTexture(0, 0);
     drawn.bindDepthTexture(1);
     draw(depth);
@@ -83,11 +83,11 @@ TEST_P(FeedbackWatchGLTest, SeesDepthArraysAndLayers) {
     const auto stack = TextureStack::create(
         gl, {.width = 4, .height = 4, .layers = 2, .format = Format::RGBA8, .label = "stack"});
     ASSERT_TRUE(stack.ok());
-    stack->begin(1);
+    stack->bindAsTarget(1);
     stack->bind(2);
     draw(layers);
     EXPECT_NE(takeFeedbackLoops(), "");
-    drawn.begin(0);
+    drawn.bindAsTarget(0);
     draw(layers);
     EXPECT_EQ(takeFeedbackLoops(), "");
     gl.BindFramebuffer(GL_FRAMEBUFFER, 0);

@@ -19,9 +19,9 @@ TEST_P(PixelReadbackGLTest, BringsThePixelsOnce) {
     auto readback = PixelReadback::create(gl, 8, "test");
     ASSERT_TRUE(readback.ok());
     const std::array<float, 4> colour{1.0F, 0.2F, 0.0F, 0.0F};
-    target->begin(0);
+    target->bindAsTarget(0);
     gl.ClearBufferfv(GL_COLOR, 0, colour.data());
-    target->beginRead(0);
+    target->bindForReading(0);
     const auto fail = [](std::span<const std::uint8_t>) { FAIL() << "nothing was started"; };
     EXPECT_FALSE(readback->poll(fail));
     gl.PixelStorei(GL_PACK_ALIGNMENT, 1);

@@ -14,7 +14,7 @@ class RenderToTexture2DGLTest : public GLTest {
 protected:
     std::array<float, 4> readPixel(const RenderToTexture2D& target, int index) const {
         std::array<float, 4> pixel{};
-        target.beginRead(index);
+        target.bindForReading(index);
         gl.ReadPixels(1, 1, 1, 1, GL_RGBA, GL_FLOAT, pixel.data());
         return pixel;
     }
@@ -29,13 +29,13 @@ TEST_P(RenderToTexture2DGLTest, EachTargetKeepsItsOwnContent) {
     ASSERT_TRUE(target.ok()) << target.status().message();
     const std::array<float, 4> first{1.5F, -2.0F, 300.0F, 0.25F};
     const std::array<float, 4> second{1.0F, 0.0F, 0.0F, 0.0F};
-    target->beginAll();
+    target->bindAllAsTargets();
     gl.ClearBufferfv(GL_COLOR, 0, first.data());
     gl.ClearBufferfv(GL_COLOR, 1, second.data());
     EXPECT_EQ(readPixel(*target, 0), first);
     EXPECT_EQ(readPixel(*target, 1)[0], 1.0F);
     const std::array<float, 4> third{0.0F, 0.0F, 0.0F, 0.0F};
-    target->begin(1);
+    target->bindAsTarget(1);
     gl.ClearBufferfv(GL_COLOR, 0, third.data());
     EXPECT_EQ(readPixel(*target, 0), first) << "begin(1) must leave target 0 alone";
     EXPECT_EQ(readPixel(*target, 1)[0], 0.0F);
@@ -56,7 +56,7 @@ TEST_P(RenderToTexture2DGLTest, EveryFormatKeepsItsChannels) {
         const auto target = RenderToTexture2D::create(
             gl, {.width = 4, .height = 4, .targets = {c.format}, .label = "test"});
         ASSERT_TRUE(target.ok()) << target.status().message();
-        target->begin(0);
+        target->bindAsTarget(0);
         gl.ClearBufferfv(GL_COLOR, 0, written.data());
         const std::array<float, 4> read = readPixel(*target, 0);
         for (int i = 0; i < c.channels; ++i) {

@@ -78,10 +78,10 @@ void main() {
         shader->set("cones", 0);
         shader->set("map", 1);
         shader->set("angles", 2);
-        target_.begin(0);
+        target_.bindAsTarget(0);
         none->drawFullscreen();
         std::vector<glm::vec4> pixels(std::size_t{kWidth} * kHeight);
-        target_.beginRead(0);
+        target_.bindForReading(0);
         gl.ReadPixels(0, 0, kWidth, kHeight, GL_RGBA, GL_FLOAT, pixels.data());
         return pixels;
     }

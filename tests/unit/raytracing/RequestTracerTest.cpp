@@ -227,8 +227,8 @@ TEST(RequestTracer, LinesOfSightFindWhatLiesBetweenTheirEnds) {
         const glm::vec3 along(directionOf(5, 8, i % 8, i / 8));
         const float distance = texels.distance[static_cast<std::size_t>(i)];
         const float reach = distance < 0.0F ? 100.0F : distance;
-        sighted.sights.push_back({0.9F * reach * along, 1.1F * reach * along});
-        tooShort.sights.push_back({0.2F * reach * along, 0.99F * reach * along});
+        sighted.primaryRays.push_back({0.9F * reach * along, 1.1F * reach * along});
+        tooShort.primaryRays.push_back({0.2F * reach * along, 0.99F * reach * along});
     }
     const TracedTexels seen = traced(scene, sighted);
     forEachSeen(texels, [&](std::size_t i, const glm::dvec3&) {
@@ -283,12 +283,13 @@ TEST(RequestTracer, RequestsOutOfRangeAreRefused) {
     EXPECT_EQ(refused([](auto& r) { r.firstRay = -16; }), invalid);
     EXPECT_EQ(refused([=](auto& r) { r.firstRay = 1, r.rays = huge; }), invalid);
     EXPECT_EQ(refused([](auto& r) { r.radius = 0.0F; }), invalid);
-    const std::vector<LineOfSight> sights(64, LineOfSight{{0, 0, 0}, {0, 0, 1}});
-    EXPECT_EQ(refused([&](auto& r) { r.sights = sights, r.x = r.y = 9000; }), StatusCode::Ok);
-    EXPECT_EQ(refused([&](auto& r) { r.sights = sights, r.height = 7; }), invalid);
-    EXPECT_EQ(refused([&](auto& r) { r.sights = sights, r.sights[9].to.z = 0.0F; }),
+    const std::vector<LineOfSight> primaryRays(64, LineOfSight{{0, 0, 0}, {0, 0, 1}});
+    EXPECT_EQ(refused([&](auto& r) { r.primaryRays = primaryRays, r.x = r.y = 9000; }),
+              StatusCode::Ok);
+    EXPECT_EQ(refused([&](auto& r) { r.primaryRays = primaryRays, r.height = 7; }), invalid);
+    EXPECT_EQ(refused([&](auto& r) { r.primaryRays = primaryRays, r.primaryRays[9].to.z = 0.0F; }),
               StatusCode::InvalidPosition);
-    EXPECT_EQ(refused([&](auto& r) { r.sights = sights, r.sights[9].to.z = nan; }),
+    EXPECT_EQ(refused([&](auto& r) { r.primaryRays = primaryRays, r.primaryRays[9].to.z = nan; }),
               StatusCode::InvalidPosition);
     EXPECT_EQ(refused([&](auto& r) { r.radius = nan; }), invalid);
     EXPECT_EQ(refused([](auto& r) { r.radius = 0.0F, r.falloff = Falloff::Off; }), StatusCode::Ok);

@@ -19,6 +19,14 @@
 
 namespace aolib {
 
+/// A scene, and the number that it was given. Not a member of TexelTracer: Clang 14 takes a
+/// nested class whose members have initializers as not constructible within the class around it.
+template <typename T>
+struct Numbered {
+    std::uint64_t number = 0;
+    T content{};
+};
+
 /// A queue of requests and the workers that serve it, without the lock while they trace or build a
 /// scene. Neither keeps the other waiting for ever: the next scene is built once requests have been
 /// traced for as long as the last one took to build, or when there is nothing to trace.
@@ -38,12 +46,6 @@ public:
 
 private:
     using Clock = std::chrono::steady_clock;
-    /// A scene, and the number that it was given.
-    template <typename T>
-    struct Numbered {
-        std::uint64_t number = 0;
-        T content{};
-    };
 
     void work(const std::stop_token& stop);
     bool canTrace() const { return scene_.content && !queue_.empty(); }

@@ -1,5 +1,8 @@
 #include "raytracing/GroupTracer.h"
 
+#include "raytracing/HemisphereTracer.h"
+#include "raytracing/PacketTracer.h"
+
 namespace aolib {
 
 namespace {
@@ -63,12 +66,22 @@ struct GroupTracer::Client {
     }
 };
 
+struct GroupTracer::Content {
+    PacketTracer packets;
+    HemisphereTracer<Client> tracer;
+
+    Content(const RayScene& scene, Falloff falloff, float radius)
+        : packets(scene, falloff, radius), tracer(packets) {}
+};
+
 GroupTracer::GroupTracer(const RayScene& scene, Falloff falloff, float radius)
-    : packets_(scene, falloff, radius), tracer_(packets_) {}
+    : content_(std::make_unique<Content>(scene, falloff, radius)) {}
+
+GroupTracer::~GroupTracer() = default;
 
 void GroupTracer::trace(const SurfaceGroup& group, std::uint32_t start, int count, Sums& sums) {
     Client client{sums, group.planes};
-    tracer_.trace(group, start, count, client);
+    content_->tracer.trace(group, start, count, client);
 }
 
 } // namespace aolib

@@ -2,11 +2,10 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 
 #include <aolib/Options.h>
 
-#include "raytracing/HemisphereTracer.h"
-#include "raytracing/PacketTracer.h"
 #include "raytracing/RayScene.h"
 #include "raytracing/SurfaceGroup.h"
 
@@ -21,6 +20,7 @@ public:
     GroupTracer(const RayScene& scene, Falloff falloff, float radius);
     GroupTracer(const GroupTracer&) = delete;
     GroupTracer& operator=(const GroupTracer&) = delete;
+    ~GroupTracer();
 
     /// Adds to each texel's sum the weights w(L) of its rays from `start` on, 0 for rays that
     /// escape, 1 for those below the plane of the texel's triangle. `start` and `count` as in
@@ -29,9 +29,9 @@ public:
 
 private:
     struct Client;
+    struct Content; ///< with types of Embree, which users of this header may lack
 
-    PacketTracer packets_;
-    HemisphereTracer<Client> tracer_;
+    std::unique_ptr<Content> content_;
 };
 
 } // namespace aolib

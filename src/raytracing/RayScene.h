@@ -36,7 +36,7 @@ struct FrameRay {
     bool empty = false;        ///< nothing is left of it between tmin and tmax
 };
 
-/// What Embree tells of a hit.
+/// A hit as Embree returns it.
 struct FrameHit {
     std::uint32_t primitive = 0; ///< Embree's
     float u = 0.0F;              ///< barycentric weight of the triangle's second vertex

@@ -6,6 +6,7 @@
 
 #include "raytracing/CosineSampling.h"
 #include "raytracing/GroupTracer.h"
+#include "raytracing/RayChunk.h"
 #include "raytracing/SurfaceFinder.h"
 #include "raytracing/SurfaceGroup.h"
 #include "shared/folded_place.h"

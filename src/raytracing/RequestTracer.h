@@ -12,8 +12,8 @@ namespace aolib {
 /// Why a request cannot be traced: InvalidOption, InvalidPosition.
 AoStatus checkRequest(const TexelRequest& request);
 
-/// Traces a valid request; nothing when `keepGoing` said no, which it is asked after every 4096
-/// rays at the latest. Throws std::bad_alloc.
+/// Traces a valid request; returns nothing if `keepGoing` returned false, which is called after
+/// every 4096 rays at the latest. Throws std::bad_alloc.
 std::optional<TracedTexels> traceRequest(const RayScene& scene, const TexelRequest& request,
                                          const KeepGoing& keepGoing);
 

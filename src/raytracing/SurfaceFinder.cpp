@@ -13,7 +13,7 @@ namespace aolib {
 
 namespace {
 
-/// Sine of the angle to a plane below which a ray does not tell where it meets it.
+/// Sine of the angle to a plane below which a ray does not determine its intersection.
 constexpr double leastSlope = 1e-3;
 
 } // namespace

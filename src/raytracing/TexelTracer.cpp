@@ -13,7 +13,7 @@ namespace aolib {
 
 namespace {
 
-/// The longest time that `wait()` waits, whatever it is told: about eleven days.
+/// The longest time that `wait()` waits, milliseconds: about eleven days.
 constexpr double longestWait = 1e9;
 
 /// Short enough to need no memory itself.
@@ -161,7 +161,7 @@ void TexelTracer::buildScene(std::unique_lock<std::mutex>& lock, const KeepGoing
     lock.lock();
     building_ = false;
     nextBuild_ = end + (end - start);
-    if (mesh.number == given_) { // of a scene that was replaced meanwhile nobody asks
+    if (mesh.number == given_) { // else the scene was replaced meanwhile
         fail(std::move(status));
     }
     if (!built && mesh.number == given_) {

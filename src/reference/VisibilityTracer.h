@@ -25,7 +25,7 @@ struct TraceSettings {
     int threads = 0;                 ///< workers, 0 takes one per core; does not change the result
 };
 
-/// A point on a surface whose visibility is asked for.
+/// A point on a surface whose visibility is traced.
 struct Receiver {
     glm::dvec3 position{0.0}; ///< world units
     glm::dvec3 normal{0.0};   ///< any length but zero; the hemisphere above the surface

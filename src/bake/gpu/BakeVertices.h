@@ -31,7 +31,7 @@ class BakeVertices {
 public:
     BakeVertices() = default;
     /// @param width,height  of the maps: decide which triangles are too thin in them.
-    /// @param facets  null where nobody asks for their numbers, which then are 0.
+    /// @param facets  null: all facet numbers are 0.
     /// @param kept    whether the triangles stay in memory, too.
     /// Errors: OutOfMemory.
     static Result<BakeVertices> create(const gl::Functions& gl, const BakeGeometry& geometry,

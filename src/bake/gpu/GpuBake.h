@@ -10,11 +10,11 @@
 #include <aolib/ProcAddressLoader.h>
 #include <aolib/bake/AbstractBaker.h>
 
+#include "bake/CheckOptions.h"
 #include "bake/geometry/BakeGeometry.h"
 #include "bake/gpu/BakeVertices.h"
 #include "bake/gpu/LightView.h"
 #include "bake/gpu/Reach.h"
-#include "bake/maps/CheckOptions.h"
 #include "gl/ContextGroup.h"
 
 namespace aolib::bake {
@@ -30,7 +30,7 @@ struct DirectionPlan {
     std::uint32_t seed = 0;
 };
 
-/// Adds what up to `atOnce` directions light, on a known GL state of GL state.
+/// Adds what up to `atOnce` directions light, with known GL state.
 using AddViews = std::function<AoStatus(std::span<const LightView> views)>;
 
 /// What every baker on the GPU has, and does.
@@ -50,7 +50,7 @@ struct GpuBake {
     /// OutOfMemory.
     Result<BakeVertices> upload(int width, int height, const Facets* facets) const;
     /// Goes through the directions, giving the host its GL state and the word in between.
-    /// @param goOn  told how many there are so far; false: they are enough.
+    /// @param goOn  receives the number of directions so far; returning false ends the bake.
     /// @return how many there are. Errors: Cancelled, WrongContext and NoContext (of a callback
     /// that left it so), and those of `add`.
     Result<int> addDirections(const DirectionPlan& plan, const BakeProgress& progress,

@@ -38,7 +38,7 @@ private:
     AoStatus addRays(const SampleRange& rays, int number, MapSums& map,
                      const BakeProgress& progress) const;
     /// W and direction of each point.
-    /// @param sectors  null where nobody asks for them.
+    /// @param sectors  null: sectors are not computed.
     Result<std::vector<glm::vec4>> tracePoints(const std::vector<SurfacePoint>& points,
                                                std::vector<OpenSectors>* sectors,
                                                const BakeProgress& progress) const;

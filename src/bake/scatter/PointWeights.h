@@ -22,8 +22,8 @@ public:
         glm::ivec2 mapSize{0};  ///< texels
         float density = 0.0F;   ///< square texels per square frame unit; 0: each triangle's own
         glm::vec4 ground{0.0F}; ///< up and height in the frame; up 0 for none
-        /// Places are told by the weights of the triangle's second and third corner instead of u
-        /// and v, whatever these are.
+        /// Points are given by the weights of the triangle's second and third corner instead of u
+        /// and v, which may be anything.
         bool barycentric = false;
     };
 

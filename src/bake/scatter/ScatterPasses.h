@@ -22,8 +22,8 @@
 
 namespace aolib::bake {
 
-/// The GL side of scattering: stages 1 and 2 (McGraw and Sowers 2008, section 3). Needs a clean
-/// slate of GL state in each call.
+/// The GL side of scattering: stages 1 and 2 (McGraw and Sowers 2008, section 3). Needs known GL
+/// state in each call.
 class ScatterPasses {
 public:
     struct Settings {
@@ -32,8 +32,8 @@ public:
         float pointSize = 0.0F; ///< texels
         float density = 0.0F;   ///< square texels per square frame unit; 0: by the Jacobian
         glm::vec4 ground{0.0F}; ///< up and height in the frame; up 0 for none
-        bool draws = true;      ///< points are drawn and blended; else they are only told
-        bool places = false;    ///< told by their places in the frame, not in the map
+        bool draws = true;      ///< points are drawn and blended; else the picture is read back
+        bool places = false;    ///< the picture holds positions in the frame, not in the map
         bool slabs = false;     ///< occluders have an end; the vertices keep their triangles
     };
 

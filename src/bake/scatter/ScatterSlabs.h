@@ -16,9 +16,9 @@
 
 namespace aolib::bake {
 
-/// Scattering where occluders have an end: a direction's picture of each slab by itself. What is
-/// nearest to the light in a slab hides all else that is in it, and is lit unless something of the
-/// slab before lies within the reach. Needs a known GL state of GL state in each call.
+/// Scattering with a radius: a direction has a picture of each slab. The surface nearest to the
+/// light hides all others in its slab, and is lit unless a surface of the slab before lies within
+/// the reach. Needs known GL state in each call.
 class ScatterSlabs {
 public:
     /// The vertices, which keep their triangles, must outlive it. @param rasterSize  pixels along a
@@ -29,7 +29,7 @@ public:
     /// From now on slabs are those of this direction.
     void begin(const LightView& view);
     int count() const { return slabs_->count(); }
-    /// Makes a slab ready; they are asked for one after the other. Errors: OutOfMemory.
+    /// Prepares a slab; call it for one slab after the other. Errors: OutOfMemory.
     AoStatus prepare(int slab);
 
     bool empty(int slab) const { return triangles_.empty(slab); }

@@ -17,7 +17,7 @@ struct DepthSettings {
     glm::vec4 ground{0.0F}; ///< up and height in the frame; up 0 for none
 };
 
-/// The GL side of shadow-map occlusion. Needs a known GL state of GL state in each call.
+/// The GL side of shadow-map occlusion. Needs known GL state in each call.
 class AbstractDepthPasses {
 public:
     virtual ~AbstractDepthPasses() = default;

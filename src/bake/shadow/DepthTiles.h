@@ -10,7 +10,7 @@
 
 namespace aolib::bake {
 
-/// Depth maps of one size, side by side in one texture. Needs a known GL state of GL state in each
+/// Depth maps of one size, side by side in one texture. Needs known GL state in each
 /// call.
 class DepthTiles {
 public:

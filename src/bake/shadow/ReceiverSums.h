@@ -18,8 +18,8 @@
 
 namespace aolib::bake {
 
-/// A grid of receivers on the GPU, and the sums of what lights them. Needs a known GL state of GL
-/// state in each call.
+/// A grid of receivers on the GPU, and the sums of what lights them. Needs known GL state in each
+/// call.
 class ReceiverSums {
 public:
     ReceiverSums() = default;

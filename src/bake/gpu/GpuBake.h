@@ -10,7 +10,7 @@
 #include <aolib/ProcAddressLoader.h>
 #include <aolib/bake/AbstractBaker.h>
 
-#include "bake/CheckOptions.h"
+#include "bake/maps/CheckOptions.h"
 #include "bake/geometry/BakeGeometry.h"
 #include "bake/gpu/BakeVertices.h"
 #include "bake/gpu/LightView.h"

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -108,16 +109,22 @@ private:
 using Status [[deprecated("use AoStatus")]] = AoStatus;
 #endif
 
-/// A value, or the status that says why there is none. Since 0.1.
-template <typename T>
+/// A value, or the error that says why there is none: a status, unless another type is named.
+/// Since 0.1.
+template <typename T, typename E = AoStatus>
 class [[nodiscard]] Result {
 public:
     Result(T value) : content_(std::move(value)) {}
-    Result(AoStatus failure) : content_(std::move(failure)) {}
+    Result(E error) : content_(std::move(error)) {}
 
     bool ok() const { return std::holds_alternative<T>(content_); }
     explicit operator bool() const { return ok(); }
-    AoStatus status() const { return ok() ? AoStatus() : std::get<AoStatus>(content_); }
+    /// The error; only when not ok().
+    const E& error() const { return std::get<E>(content_); }
+    /// The error, or Ok where there is a value.
+    AoStatus status() const requires std::is_same_v<E, AoStatus> {
+        return ok() ? AoStatus() : error();
+    }
     T& value() { return std::get<T>(content_); }
     const T& value() const { return std::get<T>(content_); }
     T& operator*() { return value(); }
@@ -126,7 +133,7 @@ public:
     const T* operator->() const { return &value(); }
 
 private:
-    std::variant<T, AoStatus> content_;
+    std::variant<T, E> content_;
 };
 
 } // namespace aolib

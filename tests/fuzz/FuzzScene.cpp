@@ -32,7 +32,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string_view text(reinterpret_cast<const char*>(data + 1), size - 1);
     if (data[0] == 'c') {
         const auto parsed = aolib::parseCase(text, "case.json");
-        aolib::fuzz::require(parsed.ok() || !parsed.sentence().empty(), "a reason is given");
+        aolib::fuzz::require(parsed.ok() || !parsed.error().sentence.empty(), "a reason is given");
         if (parsed) {
             const auto again = aolib::parseCase(aolib::writeCase(*parsed), "case.json");
             aolib::fuzz::require(again.ok(), "what was written can be read");
@@ -41,7 +41,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     }
     const char* file = data[0] == 'o' ? "m.obj" : data[0] == 'g' ? "m.gltf" : "m.glb";
     const auto model = aolib::readModel(text, file);
-    aolib::fuzz::require(model.ok() || !model.sentence().empty(), "a reason is given");
+    aolib::fuzz::require(model.ok() || !model.error().sentence.empty(), "a reason is given");
     if (model) {
         checkModel(*model);
     }

@@ -68,9 +68,9 @@ testing::AssertionResult matchesGolden(const ByteImage& picture, const std::stri
     if (wish != nullptr && std::string_view(wish) == "1") {
         return update(picture, file);
     }
-    const ImageResult<ByteImage> golden = readPng(file);
+    const Result<ByteImage, ImageError> golden = readPng(file);
     if (!golden) {
-        return testing::AssertionFailure() << golden.message();
+        return testing::AssertionFailure() << golden.error().message;
     }
     if (picture.width != golden->width || picture.height != golden->height ||
         picture.channels != golden->channels) {

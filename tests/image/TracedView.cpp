@@ -84,8 +84,8 @@ double shareOfSurface(const FloatImage& test, const FloatImage& reference) {
 }
 
 double rmse(const FloatImage& test, const FloatImage& reference) {
-    const ImageResult<Metrics> metrics = compareImages(test, reference);
-    EXPECT_TRUE(metrics.ok()) << metrics.message();
+    const Result<Metrics, ImageError> metrics = compareImages(test, reference);
+    EXPECT_TRUE(metrics.ok()) << metrics.error().message;
     return metrics ? metrics->rmse : 1.0;
 }
 

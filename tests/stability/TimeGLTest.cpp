@@ -277,7 +277,7 @@ TEST_P(FrameBudgetWalk, DISABLED_Holds) {
     constexpr float kBudget = 4.0F;
     constexpr float kOneUnit = 1e-6F;
     const auto model = openScene("town");
-    ASSERT_TRUE(model.ok()) << model.sentence();
+    ASSERT_TRUE(model.ok()) << model.error().sentence;
     const NamedCamera camera = camerasFor("town", *model).at(1);
     Options o = options(0.04F * model->bounds().diagonal());
     o.rayTraced.rays = 256;

@@ -63,7 +63,7 @@ protected:
 TEST_P(WalkGLTest, DISABLED_ErrorOnTheWay) {
     for (const std::string scene : {"room", "town"}) {
         const auto model = openScene(scene);
-        ASSERT_TRUE(model.ok()) << model.sentence();
+        ASSERT_TRUE(model.ok()) << model.error().sentence;
         for (const float coverage : {0.75F, CubeMapOptions{}.coverage, 0.95F}) {
             for (const bool fallback : {false, true}) {
                 Options o = options(0.1F * model->bounds().diagonal());

@@ -26,8 +26,8 @@ TEST(CaseExportTest, HoldsWhatIsSeenExactly) {
     options.radius = 1.0F / 3.0F;
     options.falloff = Falloff::Exp;
     const Case made = caseOf(roomView(), exportedCamera(), {641, 359}, options, ".");
-    const Loaded<Case> read = parseCase(writeCase(made), "some.json");
-    ASSERT_TRUE(read) << read.sentence();
+    const Result<Case, LoadError> read = parseCase(writeCase(made), "some.json");
+    ASSERT_TRUE(read) << read.error().sentence;
     EXPECT_EQ(read->mesh, "room");
     EXPECT_EQ(read->eye, exportedCamera().eye);
     EXPECT_EQ(read->target, exportedCamera().target);

@@ -38,7 +38,7 @@ int worstDifference(const ByteImage& a, const ByteImage& b, int x0, int x1, int 
 class WindowPictureGLTest : public WindowTest {
 protected:
     ByteImage picture(const std::string& name) const {
-        ImageResult<ByteImage> read = readPng(path(name));
+        Result<ByteImage, ImageError> read = readPng(path(name));
         EXPECT_TRUE(read) << name;
         return read ? *read : ByteImage(1, 1, 3);
     }

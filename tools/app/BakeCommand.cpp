@@ -40,10 +40,10 @@ MaybeFailure bakeAll(const BakeFlags& flags) {
         const std::string out =
             isFolder(flags.out) ? (fs::path(flags.out) / fs::path(input).stem()).string() + ".glb"
                                 : flags.out;
-        const Outcome<std::string> done = bakeModel(input, out, flags, progress);
+        const Result<std::string, Failure> done = bakeModel(input, out, flags, progress);
         progress.pause();
         if (!done) {
-            return done.failure();
+            return done.error();
         }
         std::cout << input << (out.empty() ? "" : " -> " + out) << '\n' << *done;
     }

@@ -6,7 +6,7 @@
 
 #include <aolib/bake/AbstractBaker.h>
 
-#include "app/Outcome.h"
+#include "app/Failure.h"
 #include "app/OutputFiles.h"
 
 namespace aolib::app {
@@ -29,7 +29,7 @@ public:
     /// Errors: the baker's.
     virtual AoStatus bake(bake::AbstractBaker& baker, const bake::BakeProgress& progress) = 0;
     /// Puts the values into the model and into files. Gives a table for people.
-    virtual Outcome<std::string> put(OutputFiles& files) = 0;
+    virtual Result<std::string, Failure> put(OutputFiles& files) = 0;
     /// All files have been written.
     virtual void succeed() {}
 };

@@ -26,13 +26,13 @@ bool isGltf(const std::filesystem::path& file) {
 }
 
 /// The bytes of a glTF: the file's, or one made of a shape, a scene or another kind of file.
-Loaded<std::string> gltfBytes(const std::string& nameOrPath) {
+Result<std::string, LoadError> gltfBytes(const std::string& nameOrPath) {
     if (isGltf(nameOrPath)) {
         return readFileBytes(nameOrPath);
     }
-    const auto packed = [](const GltfParts& parts) -> Loaded<std::string> {
-        const Loaded<GltfEdit> edit = GltfEdit::open(parts, {});
-        return edit ? edit->glb() : Loaded<std::string>(edit.error());
+    const auto packed = [](const GltfParts& parts) -> Result<std::string, LoadError> {
+        const Result<GltfEdit, LoadError> edit = GltfEdit::open(parts, {});
+        return edit ? edit->glb() : Result<std::string, LoadError>(edit.error());
     };
     if (const UvMesh shape = uvShape(nameOrPath); !shape.indices.empty()) {
         return packed(gltfOf(shape, nameOrPath));
@@ -41,18 +41,18 @@ Loaded<std::string> gltfBytes(const std::string& nameOrPath) {
     if (std::find(moving.begin(), moving.end(), nameOrPath) != moving.end()) {
         return animatedModel(nameOrPath);
     }
-    const Loaded<Model> model = openScene(nameOrPath);
+    const Result<Model, LoadError> model = openScene(nameOrPath);
     if (!model) {
         std::string shapes;
         for (const std::string& name : uvShapeNames()) {
             shapes += (shapes.empty() ? "" : ", ") + name;
         }
-        return LoadError{model.sentence() + "; shapes with UVs are " + shapes};
+        return LoadError{model.error().sentence + "; shapes with UVs are " + shapes};
     }
     return packed(gltfOf(*model));
 }
 
-Loaded<std::vector<std::vector<glm::vec2>>>
+Result<std::vector<std::vector<glm::vec2>>, LoadError>
 uvSetsOf(const GltfDocument& document, const GltfOrigin& origin, std::size_t vertices) {
     const auto& primitive = document.structure.meshes[static_cast<std::size_t>(origin.mesh)]
                                 .primitives[static_cast<std::size_t>(origin.primitive)];
@@ -62,7 +62,7 @@ uvSetsOf(const GltfDocument& document, const GltfOrigin& origin, std::size_t ver
         if (found == primitive.attributes.end()) {
             return sets;
         }
-        Loaded<std::vector<glm::vec2>> uvs = readPairs(document, found->second);
+        Result<std::vector<glm::vec2>, LoadError> uvs = readPairs(document, found->second);
         if (!uvs) {
             return uvs.error();
         }
@@ -88,28 +88,28 @@ BakePiece pieceOf(ModelMesh mesh) {
     return piece;
 }
 
-Loaded<BakeInput> readInput(const std::string& nameOrPath) {
-    const Loaded<std::string> bytes = gltfBytes(nameOrPath);
+Result<BakeInput, LoadError> readInput(const std::string& nameOrPath) {
+    const Result<std::string, LoadError> bytes = gltfBytes(nameOrPath);
     if (!bytes) {
         return bytes.error();
     }
     const std::filesystem::path file(nameOrPath);
-    const Loaded<GltfDocument> document = parseGltf(*bytes, file);
+    const Result<GltfDocument, LoadError> document = parseGltf(*bytes, file);
     if (!document) {
         return document.error();
     }
-    Loaded<Model> model = readGltf(*bytes, file);
+    Result<Model, LoadError> model = readGltf(*bytes, file);
     if (!model) {
         return model.error();
     }
     if (model->triangleCount() == 0) {
         return LoadError{nameOrPath + ": holds no triangles"};
     }
-    const Loaded<GltfParts> parts = openGltf(*bytes, file);
+    const Result<GltfParts, LoadError> parts = openGltf(*bytes, file);
     if (!parts) {
         return parts.error();
     }
-    Loaded<GltfEdit> edit = GltfEdit::open(*parts, file.parent_path());
+    Result<GltfEdit, LoadError> edit = GltfEdit::open(*parts, file.parent_path());
     if (!edit) {
         return edit.error();
     }
@@ -138,11 +138,11 @@ bake::Surface placedSurface(ModelMesh mesh) {
     return surface;
 }
 
-Outcome<BakeInput> openBakeInput(const std::string& nameOrPath) {
+Result<BakeInput, Failure> openBakeInput(const std::string& nameOrPath) {
     try {
-        Loaded<BakeInput> input = readInput(nameOrPath);
+        Result<BakeInput, LoadError> input = readInput(nameOrPath);
         if (!input) {
-            return badInput(input.sentence());
+            return badInput(input.error().sentence);
         }
         return std::move(*input);
     } catch (const std::exception& error) {

@@ -7,7 +7,7 @@
 
 #include <aolib/bake/BakeScene.h>
 
-#include "app/Outcome.h"
+#include "app/Failure.h"
 #include "content/GltfEdit.h"
 #include "content/Model.h"
 #include "scene/Bounds.h"
@@ -37,6 +37,6 @@ struct BakeInput {
 bake::Surface placedSurface(ModelMesh mesh);
 
 /// Opens a model file, a shape with UVs ("uv-sphere"), or a generated scene. Errors: BadInput.
-Outcome<BakeInput> openBakeInput(const std::string& nameOrPath);
+Result<BakeInput, Failure> openBakeInput(const std::string& nameOrPath);
 
 } // namespace aolib::app

@@ -41,11 +41,11 @@ public:
         : input_(std::move(input)), model_(std::move(model)), flags_(flags), out_(std::move(out)),
           progress_(progress) {}
 
-    Outcome<std::string> run();
+    Result<std::string, Failure> run();
 
 private:
     std::unique_ptr<AbstractBakeDestination> destination();
-    Outcome<std::unique_ptr<bake::AbstractBaker>> baker();
+    Result<std::unique_ptr<bake::AbstractBaker>, Failure> baker();
     bake::BakeScene scene() const;
     MaybeFailure bakeAll(AbstractBakeDestination& goal);
     MaybeFailure putModel(OutputFiles& files);
@@ -71,7 +71,7 @@ bake::BakeScene Job::scene() const {
     return scene;
 }
 
-Outcome<std::unique_ptr<bake::AbstractBaker>> Job::baker() {
+Result<std::unique_ptr<bake::AbstractBaker>, Failure> Job::baker() {
     Result<std::unique_ptr<bake::AbstractBaker>> made = AoStatus();
     const double radius = flags_.radius.resolved(double{input_.bounds.diagonal()});
     if (flags_.method == BakeMethod::Rays) {
@@ -79,9 +79,9 @@ Outcome<std::unique_ptr<bake::AbstractBaker>> Job::baker() {
         rays.radius = static_cast<float>(radius);
         made = bake::createRayBaker(scene(), rays);
     } else {
-        Outcome<GlSession> session = GlSession::open(flags_.gl);
+        Result<GlSession, Failure> session = GlSession::open(flags_.gl);
         if (!session) {
-            return session.failure();
+            return session.error();
         }
         session_.emplace(std::move(*session));
         bake::ScatterOptions scatter = flags_.scatter;
@@ -108,7 +108,7 @@ MaybeFailure Job::bakeAll(AbstractBakeDestination& goal) {
         }
         const auto made = baker();
         if (!made) {
-            return made.failure();
+            return made.error();
         }
         const auto goOn = [&](double fraction) {
             progress_.update((static_cast<double>(round) + fraction) / rounds);
@@ -125,9 +125,9 @@ MaybeFailure Job::putModel(OutputFiles& files) {
     if (out_.empty()) {
         return std::nullopt;
     }
-    const Loaded<std::string> glb = input_.edit.glb();
+    const Result<std::string, LoadError> glb = input_.edit.glb();
     if (!glb) {
-        return Failure{ExitCode::Failed, glb.sentence()};
+        return Failure{ExitCode::Failed, glb.error().sentence};
     }
     files.put(out_, std::vector<std::uint8_t>(glb->begin(), glb->end()));
     return std::nullopt;
@@ -158,7 +158,7 @@ std::unique_ptr<AbstractBakeDestination> Job::destination() {
     return std::make_unique<BakeToTexture>(input_, flags_);
 }
 
-Outcome<std::string> Job::run() {
+Result<std::string, Failure> Job::run() {
     progress_.begin(input_.name + ": looking at it");
     OutputFiles files;
     if ((!flags_.watch.empty() || flags_.seconds > 0.0) && flags_.target != BakeTarget::Texture) {
@@ -178,7 +178,7 @@ Outcome<std::string> Job::run() {
         return *failure;
     }
     progress_.begin(input_.name + ": writing");
-    Outcome<std::string> table = goal->put(files);
+    Result<std::string, Failure> table = goal->put(files);
     if (!table) {
         return table;
     }
@@ -194,12 +194,12 @@ Outcome<std::string> Job::run() {
 
 } // namespace
 
-Outcome<std::string> bakeModel(const std::string& input, const std::string& out,
-                               const BakeFlags& flags, Progress& progress) {
+Result<std::string, Failure> bakeModel(const std::string& input, const std::string& out,
+                                       const BakeFlags& flags, Progress& progress) {
     progress.begin("opening " + input);
-    Outcome<BakeInput> opened = openBakeInput(input);
+    Result<BakeInput, Failure> opened = openBakeInput(input);
     if (!opened) {
-        return opened.failure();
+        return opened.error();
     }
     try {
         return Job(std::move(*opened), input, flags, out, progress).run();

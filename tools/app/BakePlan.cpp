@@ -19,7 +19,7 @@ class Planner {
 public:
     Planner(BakeInput& input, const BakeFlags& flags) : input_(input), flags_(flags) {}
 
-    Outcome<std::vector<PlannedMap>> plan() {
+    Result<std::vector<PlannedMap>, Failure> plan() {
         std::vector<PlannedMap> maps = groups();
         for (std::size_t number = 0; number < maps.size(); ++number) {
             PlannedMap& map = maps[number];
@@ -189,7 +189,7 @@ MaybeFailure Planner::split(BakePiece& piece, const bake::UnwrappedSurface& unwr
 
 } // namespace
 
-Outcome<std::vector<PlannedMap>> planMaps(BakeInput& input, const BakeFlags& flags) {
+Result<std::vector<PlannedMap>, Failure> planMaps(BakeInput& input, const BakeFlags& flags) {
     return Planner(input, flags).plan();
 }
 

@@ -8,7 +8,7 @@
 
 #include "app/BakeFlags.h"
 #include "app/BakeInput.h"
-#include "app/Outcome.h"
+#include "app/Failure.h"
 
 namespace aolib::app {
 
@@ -25,6 +25,6 @@ struct PlannedMap {
 /// Decides which UVs each material's map takes, and gives the input's pieces those UVs and the
 /// numbers of their maps. Where they are our own, vertices of the glTF are split and a UV set is
 /// added. Errors: BadInput, with the numbers of what is wrong with the UVs.
-Outcome<std::vector<PlannedMap>> planMaps(BakeInput& input, const BakeFlags& flags);
+Result<std::vector<PlannedMap>, Failure> planMaps(BakeInput& input, const BakeFlags& flags);
 
 } // namespace aolib::app

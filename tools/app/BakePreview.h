@@ -7,7 +7,7 @@
 #include <aolib/bake/AbstractBaker.h>
 
 #include "app/BakeFlags.h"
-#include "app/Outcome.h"
+#include "app/Failure.h"
 
 namespace aolib::app {
 

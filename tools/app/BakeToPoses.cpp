@@ -14,9 +14,9 @@ MaybeFailure BakeToPoses::prepare(OutputFiles& /*files*/) {
         return badInput("--poses goes with --target vertex and -o, and writes attributes _AO_0, "
                         "_BENT_NORMAL_0, _AO_1, ... alone");
     }
-    Loaded<MovingGltf> moving = MovingGltf::open(input_.gltf, input_.name + ".glb");
+    Result<MovingGltf, LoadError> moving = MovingGltf::open(input_.gltf, input_.name + ".glb");
     if (!moving) {
-        return badInput(moving.sentence());
+        return badInput(moving.error().sentence);
     }
     if (static_cast<std::size_t>(flags_.animation) >= moving->animations()) {
         return badInput("--animation " + std::to_string(flags_.animation) + ": " + input_.name +
@@ -27,10 +27,10 @@ MaybeFailure BakeToPoses::prepare(OutputFiles& /*files*/) {
 }
 
 MaybeFailure BakeToPoses::beginRound(std::size_t round) {
-    Loaded<PosedModel> posed =
+    Result<PosedModel, LoadError> posed =
         moving_->posedAt(static_cast<std::size_t>(flags_.animation), double{flags_.poses[round]});
     if (!posed) {
-        return badInput(posed.sentence());
+        return badInput(posed.error().sentence);
     }
     posed_ = std::move(*posed);
     for (std::size_t i = 0; i < input_.pieces.size(); ++i) {
@@ -54,7 +54,7 @@ AoStatus BakeToPoses::bake(bake::AbstractBaker& baker, const bake::BakeProgress&
     return {};
 }
 
-Outcome<std::string> BakeToPoses::put(OutputFiles& /*files*/) {
+Result<std::string, Failure> BakeToPoses::put(OutputFiles& /*files*/) {
     std::vector<std::string> header{"piece", "vertices"};
     for (const float time : flags_.poses) {
         header.push_back(knownNumber(double{time}, 2) + " s");

@@ -21,7 +21,7 @@ public:
     std::size_t rounds() const override { return flags_.poses.size(); }
     MaybeFailure beginRound(std::size_t round) override;
     AoStatus bake(bake::AbstractBaker& baker, const bake::BakeProgress& progress) override;
-    Outcome<std::string> put(OutputFiles& files) override;
+    Result<std::string, Failure> put(OutputFiles& files) override;
 
 private:
     BakeInput& input_;

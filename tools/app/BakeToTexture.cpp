@@ -28,9 +28,9 @@ std::pair<double, std::size_t> meanOf(const bake::BakedMap& map) {
 } // namespace
 
 MaybeFailure BakeToTexture::prepare(OutputFiles& files) {
-    Outcome<std::vector<PlannedMap>> plans = planMaps(input_, flags_);
+    Result<std::vector<PlannedMap>, Failure> plans = planMaps(input_, flags_);
     if (!plans) {
-        return plans.failure();
+        return plans.error();
     }
     plans_ = std::move(*plans);
     for (std::size_t i = 0; i < plans_.size(); ++i) {
@@ -99,7 +99,7 @@ void BakeToTexture::putMap(OutputFiles& files, std::size_t number) {
     }
 }
 
-Outcome<std::string> BakeToTexture::put(OutputFiles& files) {
+Result<std::string, Failure> BakeToTexture::put(OutputFiles& files) {
     MaybeFailure failure = preview_->failure();
     if (!failure) {
         failure = preview_->write(maps_);

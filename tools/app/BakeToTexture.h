@@ -20,7 +20,7 @@ public:
 
     MaybeFailure prepare(OutputFiles& files) override;
     AoStatus bake(bake::AbstractBaker& baker, const bake::BakeProgress& progress) override;
-    Outcome<std::string> put(OutputFiles& files) override;
+    Result<std::string, Failure> put(OutputFiles& files) override;
     void succeed() override;
 
 private:

@@ -71,7 +71,7 @@ MaybeFailure BakeToVertices::setVertices(const BakePiece& piece,
     return std::nullopt;
 }
 
-Outcome<std::string> BakeToVertices::put(OutputFiles& /*files*/) {
+Result<std::string, Failure> BakeToVertices::put(OutputFiles& /*files*/) {
     Table table({"piece", "triangles", "vertices", "mean W"});
     for (std::size_t i = 0; i < input_.pieces.size(); ++i) {
         const bake::BakedVertices& vertices = vertices_[i];

@@ -25,7 +25,7 @@ glm::vec3 planeOf(const TriangleMesh& mesh, std::uint32_t triangle) {
     return length > 0.0 ? glm::vec3(normal / length) : glm::vec3(0.0F);
 }
 
-Outcome<bake::ViewPixels> pixelsOf(const View& view) {
+Result<bake::ViewPixels, Failure> pixelsOf(const View& view) {
     const TriangleMesh mesh = view.model.flattened();
     Result<RayScene> scene = RayScene::create(mesh);
     if (!scene) {
@@ -73,16 +73,16 @@ MaybeFailure BakeToView::prepare(OutputFiles& files) {
             }
         }
     }
-    Outcome<View> view = openSceneView(model_, flags_.camera);
+    Result<View, Failure> view = openSceneView(model_, flags_.camera);
     if (!view) {
-        return view.failure();
+        return view.error();
     }
     view->width = flags_.width;
     view->height = flags_.height;
     camera_ = view->camera.name;
-    Outcome<bake::ViewPixels> pixels = pixelsOf(*view);
+    Result<bake::ViewPixels, Failure> pixels = pixelsOf(*view);
     if (!pixels) {
-        return pixels.failure();
+        return pixels.error();
     }
     view_ = std::move(*pixels);
     return std::nullopt;
@@ -97,7 +97,7 @@ AoStatus BakeToView::bake(bake::AbstractBaker& baker, const bake::BakeProgress& 
     return {};
 }
 
-Outcome<std::string> BakeToView::put(OutputFiles& files) {
+Result<std::string, Failure> BakeToView::put(OutputFiles& files) {
     const std::filesystem::path ao(flags_.ao);
     if (ao.extension() == ".pfm") { // -1 is the background, as in those of "aolib truth"
         FloatImage image(picture_.width, picture_.height, 1);

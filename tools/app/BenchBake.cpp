@@ -53,7 +53,7 @@ struct BenchBakeFlags {
 };
 
 /// "bumps-20088", a shape, or a model; for maps of one material.
-Outcome<bench::BakeMesh> meshOf(const std::string& name, int mapSize, bool vertices) {
+Result<bench::BakeMesh, Failure> meshOf(const std::string& name, int mapSize, bool vertices) {
     bench::BakeMesh mesh;
     mesh.name = name;
     const std::string bumps = "bumps-";
@@ -67,16 +67,16 @@ Outcome<bench::BakeMesh> meshOf(const std::string& name, int mapSize, bool verti
         mesh.scene.surfaces.push_back({made.positions, made.normals, made.uvs, made.indices, 0});
         return mesh;
     }
-    Outcome<BakeInput> input = openBakeInput(name);
+    Result<BakeInput, Failure> input = openBakeInput(name);
     if (!input) {
-        return input.failure();
+        return input.error();
     }
     if (!vertices) {
         BakeFlags flags;
         flags.map.width = flags.map.height = mapSize;
-        const Outcome<std::vector<PlannedMap>> maps = planMaps(*input, flags);
+        const Result<std::vector<PlannedMap>, Failure> maps = planMaps(*input, flags);
         if (!maps) {
-            return maps.failure();
+            return maps.error();
         }
         if (maps->size() > 1) {
             return badInput("--mesh " + name + ": it has " + std::to_string(maps->size()) +
@@ -91,7 +91,7 @@ Outcome<bench::BakeMesh> meshOf(const std::string& name, int mapSize, bool verti
     return mesh;
 }
 
-Outcome<bench::BakePlan> planOf(const BenchBakeFlags& flags) {
+Result<bench::BakePlan, Failure> planOf(const BenchBakeFlags& flags) {
     using Method = bench::BakeMethodName;
     bench::BakePlan plan;
     plan.mapSize = flags.size > 0 ? flags.size : (flags.quick ? 128 : 512);
@@ -114,9 +114,9 @@ Outcome<bench::BakePlan> planOf(const BenchBakeFlags& flags) {
         }
     }
     for (const std::string& name : names) {
-        Outcome<bench::BakeMesh> mesh = meshOf(name, plan.mapSize, flags.vertices);
+        Result<bench::BakeMesh, Failure> mesh = meshOf(name, plan.mapSize, flags.vertices);
         if (!mesh) {
-            return mesh.failure();
+            return mesh.error();
         }
         plan.meshes.push_back(std::move(*mesh));
     }
@@ -145,13 +145,13 @@ MaybeFailure benchBake(const BenchBakeFlags& flags) {
     const Interruption interruption;
     Progress progress;
     progress.begin("making the meshes");
-    const Outcome<bench::BakePlan> plan = planOf(flags);
+    const Result<bench::BakePlan, Failure> plan = planOf(flags);
     if (!plan) {
-        return plan.failure();
+        return plan.error();
     }
-    const Outcome<GlSession> session = GlSession::open(flags.gl);
+    const Result<GlSession, Failure> session = GlSession::open(flags.gl);
     if (!session) {
-        return session.failure();
+        return session.error();
     }
     if (MaybeFailure failure = makeOutFolder(flags.out)) {
         return failure;
@@ -163,7 +163,7 @@ MaybeFailure benchBake(const BenchBakeFlags& flags) {
     bench::BakeMemory memory;
     if (flags.resume) {
         memory.truths = folder / "truths";
-        if (const Loaded<std::string> before = readFileBytes(folder / "bake.csv")) {
+        if (const Result<std::string, LoadError> before = readFileBytes(folder / "bake.csv")) {
             memory.known = bench::rowsOfBakeCsv(*before);
         }
     }

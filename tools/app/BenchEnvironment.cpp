@@ -48,12 +48,13 @@ std::string sourceOf(const std::string& name) {
     return name;
 }
 
-Outcome<bench::EnvironmentView> viewOf(const std::string& name, bool quick, Progress& progress) {
+Result<bench::EnvironmentView, Failure> viewOf(const std::string& name, bool quick,
+                                               Progress& progress) {
     const std::string source = sourceOf(name);
     progress.begin(name + ": baking its vertices");
-    Loaded<Model> model = openScene(source);
+    Result<Model, LoadError> model = openScene(source);
     if (!model) {
-        return badInput(model.sentence());
+        return badInput(model.error().sentence);
     }
     const std::vector<NamedCamera> cameras = camerasFor(source, *model);
     bench::LitSceneOptions options;
@@ -74,7 +75,8 @@ Outcome<bench::EnvironmentView> viewOf(const std::string& name, bool quick, Prog
     return bench::EnvironmentView{std::move(*scene), cameras.front()};
 }
 
-Outcome<bench::EnvironmentPlan> planOf(const BenchEnvironmentFlags& flags, Progress& progress) {
+Result<bench::EnvironmentPlan, Failure> planOf(const BenchEnvironmentFlags& flags,
+                                               Progress& progress) {
     bench::EnvironmentPlan plan;
     plan.width = flags.quick ? 96 : flags.width;
     plan.height = plan.width * 9 / 16;
@@ -87,9 +89,9 @@ Outcome<bench::EnvironmentPlan> planOf(const BenchEnvironmentFlags& flags, Progr
         }
     }
     for (const std::string& name : environments) {
-        Loaded<lighting::EnvironmentMap> map = openEnvironment(name);
+        Result<lighting::EnvironmentMap, LoadError> map = openEnvironment(name);
         if (!map) {
-            return badInput(map.sentence());
+            return badInput(map.error().sentence);
         }
         plan.environments.push_back({fs::path(name).stem().string(), std::move(*map)});
     }
@@ -99,9 +101,9 @@ Outcome<bench::EnvironmentPlan> planOf(const BenchEnvironmentFlags& flags, Progr
                              : std::vector<std::string>{"town", "bunny", "flight_helmet"};
     }
     for (const std::string& name : scenes) {
-        Outcome<bench::EnvironmentView> view = viewOf(name, flags.quick, progress);
+        Result<bench::EnvironmentView, Failure> view = viewOf(name, flags.quick, progress);
         if (!view) {
-            return view.failure();
+            return view.error();
         }
         plan.views.push_back(std::move(*view));
     }
@@ -129,13 +131,13 @@ MaybeFailure writeAll(const bench::EnvironmentFigures& figures, const fs::path& 
 MaybeFailure benchEnvironment(const BenchEnvironmentFlags& flags) {
     const Interruption interruption;
     Progress progress;
-    const Outcome<bench::EnvironmentPlan> plan = planOf(flags, progress);
+    const Result<bench::EnvironmentPlan, Failure> plan = planOf(flags, progress);
     if (!plan) {
-        return plan.failure();
+        return plan.error();
     }
-    const Outcome<GlSession> session = GlSession::open(flags.gl);
+    const Result<GlSession, Failure> session = GlSession::open(flags.gl);
     if (!session) {
-        return session.failure();
+        return session.error();
     }
     if (MaybeFailure failure = makeOutFolder(flags.out)) {
         return failure;

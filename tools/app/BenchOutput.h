@@ -4,7 +4,7 @@
 #include <iostream>
 #include <string>
 
-#include "app/Outcome.h"
+#include "app/Failure.h"
 #include "app/Progress.h"
 #include "bench/Receivers.h"
 

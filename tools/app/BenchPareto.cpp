@@ -55,7 +55,7 @@ bool allows(const std::vector<std::string>& chosen, const std::string& name) {
     return chosen.empty() || std::find(chosen.begin(), chosen.end(), name) != chosen.end();
 }
 
-Outcome<std::vector<bench::BenchCase>> chooseCases(const ParetoFlags& flags) {
+Result<std::vector<bench::BenchCase>, Failure> chooseCases(const ParetoFlags& flags) {
     const std::vector<bench::BenchScene>& scenes = bench::benchScenes();
     for (const std::string& name : flags.scenes) {
         const bool known = std::any_of(scenes.begin(), scenes.end(),
@@ -82,7 +82,7 @@ Outcome<std::vector<bench::BenchCase>> chooseCases(const ParetoFlags& flags) {
     return chosen;
 }
 
-Outcome<std::vector<bench::Method>> chooseMethods(const ParetoFlags& flags) {
+Result<std::vector<bench::Method>, Failure> chooseMethods(const ParetoFlags& flags) {
     const std::vector<bench::Method>& all = bench::benchMethods();
     for (const std::string& pattern : flags.methods) {
         const bool known = std::any_of(all.begin(), all.end(), [&](const bench::Method& m) {
@@ -96,15 +96,15 @@ Outcome<std::vector<bench::Method>> chooseMethods(const ParetoFlags& flags) {
     return bench::chooseMethods(flags.methods);
 }
 
-Outcome<bench::ParetoSettings> settingsOf(const ParetoFlags& flags) {
+Result<bench::ParetoSettings, Failure> settingsOf(const ParetoFlags& flags) {
     bench::ParetoSettings settings;
-    Outcome<std::vector<bench::BenchCase>> cases = chooseCases(flags);
+    Result<std::vector<bench::BenchCase>, Failure> cases = chooseCases(flags);
     if (!cases) {
-        return cases.failure();
+        return cases.error();
     }
-    Outcome<std::vector<bench::Method>> methods = chooseMethods(flags);
+    Result<std::vector<bench::Method>, Failure> methods = chooseMethods(flags);
     if (!methods) {
-        return methods.failure();
+        return methods.error();
     }
     settings.cases = std::move(*cases);
     settings.methods = std::move(*methods);
@@ -140,13 +140,13 @@ MaybeFailure run(const ParetoFlags& flags, const std::string& line) {
         printLists();
         return std::nullopt;
     }
-    Outcome<bench::ParetoSettings> settings = settingsOf(flags);
+    Result<bench::ParetoSettings, Failure> settings = settingsOf(flags);
     if (!settings) {
-        return settings.failure();
+        return settings.error();
     }
-    const Outcome<GlSession> session = GlSession::open(flags.gl);
+    const Result<GlSession, Failure> session = GlSession::open(flags.gl);
     if (!session) {
-        return session.failure();
+        return session.error();
     }
     settings->machine = bench::describeMachine(session->describe());
     settings->commandLine = line;
@@ -160,11 +160,11 @@ MaybeFailure run(const ParetoFlags& flags, const std::string& line) {
     reports.caseDone = [&](const std::vector<bench::ParetoRow>& rows) {
         return writeAll(*settings, rows);
     };
-    const Loaded<std::vector<bench::ParetoRow>> rows =
+    const Result<std::vector<bench::ParetoRow>, LoadError> rows =
         bench::runPareto(session->gl(), session->loader(), *settings, reports);
     progress.pause();
     if (!rows) {
-        return Failure{ExitCode::Failed, rows.sentence()};
+        return Failure{ExitCode::Failed, rows.error().sentence};
     }
     if (MaybeFailure failure = session->reviewMessages()) {
         return failure;

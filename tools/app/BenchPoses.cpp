@@ -25,16 +25,16 @@ struct BenchPosesFlags {
     int animation = 0;
 };
 
-Outcome<std::vector<bench::PoseRow>> rowsOf(const std::string& name, const BenchPosesFlags& flags,
-                                            Progress& progress) {
+Result<std::vector<bench::PoseRow>, Failure>
+rowsOf(const std::string& name, const BenchPosesFlags& flags, Progress& progress) {
     progress.begin(name + ": baking poses");
-    const Outcome<BakeInput> input = openBakeInput(name);
+    const Result<BakeInput, Failure> input = openBakeInput(name);
     if (!input) {
-        return input.failure();
+        return input.error();
     }
-    const Loaded<MovingGltf> moving = MovingGltf::open(input->gltf, name);
+    const Result<MovingGltf, LoadError> moving = MovingGltf::open(input->gltf, name);
     if (!moving) {
-        return badInput(moving.sentence());
+        return badInput(moving.error().sentence);
     }
     if (static_cast<std::size_t>(flags.animation) >= moving->animations()) {
         return badInput(name + " has " + std::to_string(moving->animations()) + " animations");
@@ -62,7 +62,7 @@ MaybeFailure benchPoses(const BenchPosesFlags& flags) {
     for (const std::string& name : flags.models.empty() ? animatedModelNames() : flags.models) {
         const auto rows = rowsOf(name, flags, progress);
         if (!rows) {
-            return rows.failure();
+            return rows.error();
         }
         all.insert(all.end(), rows->begin(), rows->end());
     }

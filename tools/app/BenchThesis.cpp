@@ -34,7 +34,8 @@ struct ThesisFlags {
     std::string out = "out/thesis";
 };
 
-Outcome<std::vector<bench::BenchScene>> chooseScenes(const std::vector<std::string>& names) {
+Result<std::vector<bench::BenchScene>, Failure>
+chooseScenes(const std::vector<std::string>& names) {
     const std::vector<bench::BenchScene>& all = bench::benchScenes();
     std::vector<bench::BenchScene> chosen;
     for (const std::string& name : names) {
@@ -49,11 +50,11 @@ Outcome<std::vector<bench::BenchScene>> chooseScenes(const std::vector<std::stri
     return names.empty() ? all : chosen;
 }
 
-Outcome<bench::ThesisRunSettings> settingsOf(const ThesisFlags& flags) {
+Result<bench::ThesisRunSettings, Failure> settingsOf(const ThesisFlags& flags) {
     bench::ThesisRunSettings settings;
-    Outcome<std::vector<bench::BenchScene>> scenes = chooseScenes(flags.scenes);
+    Result<std::vector<bench::BenchScene>, Failure> scenes = chooseScenes(flags.scenes);
     if (!scenes) {
-        return scenes.failure();
+        return scenes.error();
     }
     settings.scenes = std::move(*scenes);
     const std::vector<Estimator> estimators =
@@ -103,13 +104,13 @@ void printRows(const std::vector<bench::ThesisRow>& rows) {
 }
 
 MaybeFailure run(const ThesisFlags& flags, const std::string& line) {
-    Outcome<bench::ThesisRunSettings> settings = settingsOf(flags);
+    Result<bench::ThesisRunSettings, Failure> settings = settingsOf(flags);
     if (!settings) {
-        return settings.failure();
+        return settings.error();
     }
-    const Outcome<GlSession> session = GlSession::open(flags.gl);
+    const Result<GlSession, Failure> session = GlSession::open(flags.gl);
     if (!session) {
-        return session.failure();
+        return session.error();
     }
     settings->machine = bench::describeMachine(session->describe());
     settings->commandLine = line;
@@ -121,11 +122,11 @@ MaybeFailure run(const ThesisFlags& flags, const std::string& line) {
         std::string reason = bench::writeThesisFiles(*settings, rows);
         return reason.empty() ? bench::writeThesisPlots(*settings, rows) : reason;
     };
-    const Loaded<std::vector<bench::ThesisRow>> rows =
+    const Result<std::vector<bench::ThesisRow>, LoadError> rows =
         bench::runThesis(session->gl(), session->loader(), *settings, reports);
     progress.pause();
     if (!rows) {
-        return Failure{ExitCode::Failed, rows.sentence()};
+        return Failure{ExitCode::Failed, rows.error().sentence};
     }
     if (MaybeFailure failure = session->reviewMessages()) {
         return failure;

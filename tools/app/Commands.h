@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/Outcome.h"
+#include "app/Failure.h"
 
 namespace CLI {
 class App;

@@ -77,24 +77,24 @@ MaybeFailure compare(const CompareFlags& flags) {
             return failure;
         }
     }
-    const ImageResult<FloatImage> test = readPfm(flags.test);
+    const Result<FloatImage, ImageError> test = readPfm(flags.test);
     if (!test) {
-        return badInput(test.message());
+        return badInput(test.error().message);
     }
-    const ImageResult<FloatImage> reference = readPfm(flags.reference);
+    const Result<FloatImage, ImageError> reference = readPfm(flags.reference);
     if (!reference) {
-        return badInput(reference.message());
+        return badInput(reference.error().message);
     }
     const std::string both = flags.test + " and " + flags.reference + ": ";
-    const ImageResult<Metrics> metrics = compareImages(*test, *reference);
+    const Result<Metrics, ImageError> metrics = compareImages(*test, *reference);
     if (!metrics) {
-        return badInput(both + metrics.message());
+        return badInput(both + metrics.error().message);
     }
     if (!flags.difference.empty()) {
-        const ImageResult<ByteImage> picture =
+        const Result<ByteImage, ImageError> picture =
             differencePicture(*test, *reference, static_cast<float>(flags.scale));
         if (!picture) {
-            return badInput(both + picture.message());
+            return badInput(both + picture.error().message);
         }
         files.put(flags.difference, *picture);
         if (MaybeFailure failure = files.commit()) {

@@ -6,19 +6,20 @@
 
 namespace aolib::app {
 
-Outcome<ErrorAgainstTruth> compareWithTruth(const FloatImage& visibility, const Truth& truth) {
-    const ImageResult<Metrics> metrics = compareImages(visibility, truth.visibility);
+Result<ErrorAgainstTruth, Failure> compareWithTruth(const FloatImage& visibility,
+                                                    const Truth& truth) {
+    const Result<Metrics, ImageError> metrics = compareImages(visibility, truth.visibility);
     if (!metrics) {
-        return Failure{ExitCode::Failed, "comparing with ray tracing: " + metrics.message()};
+        return Failure{ExitCode::Failed, "comparing with ray tracing: " + metrics.error().message};
     }
     return ErrorAgainstTruth{*metrics, truth.noise, truth.rays};
 }
 
-Outcome<ByteImage> differenceFromTruth(const FloatImage& visibility, const Truth& truth) {
-    ImageResult<ByteImage> picture =
+Result<ByteImage, Failure> differenceFromTruth(const FloatImage& visibility, const Truth& truth) {
+    Result<ByteImage, ImageError> picture =
         differencePicture(visibility, truth.visibility, kDifferenceScale);
     if (!picture) {
-        return Failure{ExitCode::Failed, "comparing with ray tracing: " + picture.message()};
+        return Failure{ExitCode::Failed, "comparing with ray tracing: " + picture.error().message};
     }
     return std::move(*picture);
 }

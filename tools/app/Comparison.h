@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/Outcome.h"
+#include "app/Failure.h"
 #include "app/TruthJob.h"
 #include "image/Image.h"
 #include "image/Metrics.h"
@@ -18,9 +18,10 @@ struct ErrorAgainstTruth {
 };
 
 /// Errors: Failed, when they cannot be compared: NaN, or no pixel with a surface in both.
-Outcome<ErrorAgainstTruth> compareWithTruth(const FloatImage& visibility, const Truth& truth);
+Result<ErrorAgainstTruth, Failure> compareWithTruth(const FloatImage& visibility,
+                                                    const Truth& truth);
 
 /// Where and how W differs from the truth. Errors: as compareWithTruth().
-Outcome<ByteImage> differenceFromTruth(const FloatImage& visibility, const Truth& truth);
+Result<ByteImage, Failure> differenceFromTruth(const FloatImage& visibility, const Truth& truth);
 
 } // namespace aolib::app

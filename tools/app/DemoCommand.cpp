@@ -59,7 +59,7 @@ struct DemoRow {
 };
 
 /// Generated scenes and models, each name once: a bunny.glb makes a bunny.obj superfluous.
-Outcome<std::vector<std::string>> findScenes(const DemoFlags& flags) {
+Result<std::vector<std::string>, Failure> findScenes(const DemoFlags& flags) {
     std::vector<std::string> scenes(kScenes.begin(), kScenes.end());
     std::set<std::string> names(scenes.begin(), scenes.end());
     std::error_code ignored;
@@ -77,27 +77,27 @@ Outcome<std::vector<std::string>> findScenes(const DemoFlags& flags) {
 }
 
 /// The picture without AO, W, what both give, the truth, and the difference, beside each other.
-Outcome<ByteImage> contactStrip(const RenderResult& result, const Truth& truth,
-                                const ByteImage& difference) {
+Result<ByteImage, Failure> contactStrip(const RenderResult& result, const Truth& truth,
+                                        const ByteImage& difference) {
     const std::array<ByteImage, 5> pictures{result.colour, greyPicture(result.visibility),
                                             result.composite, greyPicture(truth.visibility),
                                             difference};
-    ImageResult<ByteImage> strip = sideBySide(pictures);
+    Result<ByteImage, ImageError> strip = sideBySide(pictures);
     if (!strip) {
-        return Failure{ExitCode::Failed, "contact strip: " + strip.message()};
+        return Failure{ExitCode::Failed, "contact strip: " + strip.error().message};
     }
     return std::move(*strip);
 }
 
 MaybeFailure writePictures(const std::string& folder, const std::string& name,
                            const RenderResult& result, const Truth& truth) {
-    const Outcome<ByteImage> difference = differenceFromTruth(result.visibility, truth);
+    const Result<ByteImage, Failure> difference = differenceFromTruth(result.visibility, truth);
     if (!difference) {
-        return difference.failure();
+        return difference.error();
     }
-    const Outcome<ByteImage> strip = contactStrip(result, truth, *difference);
+    const Result<ByteImage, Failure> strip = contactStrip(result, truth, *difference);
     if (!strip) {
-        return strip.failure();
+        return strip.error();
     }
     OutputFiles files;
     if (MaybeFailure failure = files.createFolder("--out", folder)) {
@@ -114,12 +114,12 @@ MaybeFailure writePictures(const std::string& folder, const std::string& name,
     return files.commit();
 }
 
-Outcome<DemoRow> showScene(const DemoFlags& flags, const GlSession& session,
-                           const std::string& scene, Progress& progress) {
+Result<DemoRow, Failure> showScene(const DemoFlags& flags, const GlSession& session,
+                                   const std::string& scene, Progress& progress) {
     progress.begin(fs::path(scene).filename().string() + ": opening");
-    Loaded<Model> model = openScene(scene);
+    Result<Model, LoadError> model = openScene(scene);
     if (!model) {
-        return badInput(model.sentence());
+        return badInput(model.error().sentence);
     }
     View view;
     view.model = std::move(*model);
@@ -136,17 +136,17 @@ Outcome<DemoRow> showScene(const DemoFlags& flags, const GlSession& session,
     if (scene == kScenes.front()) { // the same for all
         warnOf(unusedOptions(flags.options, job.options));
     }
-    Outcome<RenderResult> result = render(session, view.model, job, progress);
+    Result<RenderResult, Failure> result = render(session, view.model, job, progress);
     if (!result) {
-        return result.failure();
+        return result.error();
     }
-    const Outcome<Truth> truth = traceTruth(view, job.options, flags.rays, progress);
+    const Result<Truth, Failure> truth = traceTruth(view, job.options, flags.rays, progress);
     if (!truth) {
-        return truth.failure();
+        return truth.error();
     }
-    const Outcome<ErrorAgainstTruth> error = compareWithTruth(result->visibility, *truth);
+    const Result<ErrorAgainstTruth, Failure> error = compareWithTruth(result->visibility, *truth);
     if (!error) {
-        return error.failure();
+        return error.error();
     }
     if (MaybeFailure failure = writePictures(flags.out, view.model.name, *result, *truth)) {
         return *failure;
@@ -174,17 +174,17 @@ void report(const DemoFlags& flags, const std::vector<DemoRow>& rows) {
 }
 
 MaybeFailure demo(const DemoFlags& flags) {
-    const Outcome<std::vector<std::string>> scenes = findScenes(flags);
+    const Result<std::vector<std::string>, Failure> scenes = findScenes(flags);
     if (!scenes) {
-        return scenes.failure();
+        return scenes.error();
     }
     OutputFiles check;
     if (MaybeFailure failure = check.createFolder("--out", flags.out)) {
         return failure;
     }
-    const Outcome<GlSession> session = GlSession::open(flags.gl);
+    const Result<GlSession, Failure> session = GlSession::open(flags.gl);
     if (!session) {
-        return session.failure();
+        return session.error();
     }
     std::cout << session->describe() << std::endl;
     if (scenes->size() == kScenes.size()) {
@@ -194,12 +194,12 @@ MaybeFailure demo(const DemoFlags& flags) {
     std::vector<DemoRow> rows;
     std::vector<Failure> failures;
     for (std::size_t i = 0; i < scenes->size(); ++i) {
-        Outcome<DemoRow> row = showScene(flags, *session, (*scenes)[i], progress);
+        Result<DemoRow, Failure> row = showScene(flags, *session, (*scenes)[i], progress);
         progress.pause();
         if (row) {
             rows.push_back(std::move(*row));
         } else {
-            failures.push_back(row.failure());
+            failures.push_back(row.error());
         }
         const std::string count =
             "[" + std::to_string(i + 1) + "/" + std::to_string(scenes->size()) + "] ";

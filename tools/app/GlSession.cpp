@@ -39,7 +39,7 @@ void GlFlags::attach(CLI::App& command) {
         ->group(group);
 }
 
-Outcome<GlSession> GlSession::open(const GlFlags& flags) {
+Result<GlSession, Failure> GlSession::open(const GlFlags& flags) {
     ContextRequest request;
     request.profile = flags.profile;
     if (flags.api) {
@@ -50,13 +50,13 @@ Outcome<GlSession> GlSession::open(const GlFlags& flags) {
     return adopt(createOffscreenContext(request), request.debug, flags.strict);
 }
 
-Outcome<GlSession> GlSession::open(ContextRequest request, bool strict) {
+Result<GlSession, Failure> GlSession::open(ContextRequest request, bool strict) {
     request.debug = strict || kDebugBuild;
     return adopt(createContext(request), request.debug, strict);
 }
 
-Outcome<GlSession> GlSession::adopt(Result<std::unique_ptr<GlContext>> context, bool debug,
-                                    bool strict) {
+Result<GlSession, Failure> GlSession::adopt(Result<std::unique_ptr<GlContext>> context, bool debug,
+                                            bool strict) {
     if (!context) {
         return graphicsFailure("no OpenGL context: " + context.status().message());
     }

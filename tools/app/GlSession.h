@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "app/Outcome.h"
+#include "app/Failure.h"
 #include "gl/Functions.h"
 #include "platform/ContextRequest.h"
 #include "platform/DebugLog.h"
@@ -30,9 +30,9 @@ struct GlFlags {
 class GlSession {
 public:
     /// Errors: Graphics.
-    static Outcome<GlSession> open(const GlFlags& flags);
+    static Result<GlSession, Failure> open(const GlFlags& flags);
     /// The same for a context of one's own choice, such as a window. Errors: Graphics.
-    static Outcome<GlSession> open(ContextRequest request, bool strict);
+    static Result<GlSession, Failure> open(ContextRequest request, bool strict);
 
     const gl::Functions& gl() const { return *gl_; }
     GlContext& context() const { return *context_; }
@@ -45,8 +45,8 @@ public:
 
 private:
     GlSession() = default;
-    static Outcome<GlSession> adopt(Result<std::unique_ptr<GlContext>> context, bool debug,
-                                    bool strict);
+    static Result<GlSession, Failure> adopt(Result<std::unique_ptr<GlContext>> context, bool debug,
+                                            bool strict);
 
     // In this order: the log gives the callback slot back before the context goes.
     std::unique_ptr<GlContext> context_;

@@ -220,18 +220,18 @@ MaybeFailure renderLit(const LitFlags& flags, const ViewFlags& view, const GlFla
             return failure;
         }
     }
-    Loaded<lighting::EnvironmentMap> map = openEnvironment(flags.environment);
+    Result<lighting::EnvironmentMap, LoadError> map = openEnvironment(flags.environment);
     if (!map) {
-        return badInput(map.sentence());
+        return badInput(map.error().sentence);
     }
     const Interruption interruption;
-    Outcome<View> opened = view.open();
+    Result<View, Failure> opened = view.open();
     if (!opened) {
-        return opened.failure();
+        return opened.error();
     }
-    Outcome<GlSession> session = GlSession::open(gl);
+    Result<GlSession, Failure> session = GlSession::open(gl);
     if (!session) {
-        return session.failure();
+        return session.error();
     }
     return LitJob(flags, std::move(*opened), std::move(*session))
         .run(lighting::turned(*map, static_cast<float>(flags.turn / 360.0)), files);

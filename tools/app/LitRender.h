@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "app/Failure.h"
 #include "app/GlSession.h"
-#include "app/Outcome.h"
 #include "app/Progress.h"
 #include "app/ViewFlags.h"
 #include "host/LitRenderer.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/Outcome.h"
+#include "app/Failure.h"
 #include "image/Image.h"
 
 namespace aolib::app {

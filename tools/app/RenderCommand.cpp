@@ -90,19 +90,19 @@ MaybeFailure run(RenderFlags& flags) {
     }
     Progress progress;
     progress.begin("opening the scene");
-    const Outcome<View> view = flags.view.open();
+    const Result<View, Failure> view = flags.view.open();
     if (!view) {
-        return view.failure();
+        return view.error();
     }
     progress.pause();
     const RenderJob job = jobOf(flags, *view);
-    const Outcome<GlSession> session = GlSession::open(flags.gl);
+    const Result<GlSession, Failure> session = GlSession::open(flags.gl);
     if (!session) {
-        return session.failure();
+        return session.error();
     }
-    const Outcome<RenderResult> result = render(*session, view->model, job, progress);
+    const Result<RenderResult, Failure> result = render(*session, view->model, job, progress);
     if (!result) {
-        return result.failure();
+        return result.error();
     }
     if (MaybeFailure failure = session->reviewMessages()) {
         return failure;
@@ -111,14 +111,15 @@ MaybeFailure run(RenderFlags& flags) {
     std::optional<Truth> truth;
     std::optional<ErrorAgainstTruth> error;
     if (withTruth) {
-        Outcome<Truth> traced =
+        Result<Truth, Failure> traced =
             traceTruth(*view, job.options, flags.rays.value_or(kDefaultRays), progress);
         if (!traced) {
-            return traced.failure();
+            return traced.error();
         }
-        const Outcome<ErrorAgainstTruth> compared = compareWithTruth(result->visibility, *traced);
+        const Result<ErrorAgainstTruth, Failure> compared =
+            compareWithTruth(result->visibility, *traced);
         if (!compared) {
-            return compared.failure();
+            return compared.error();
         }
         truth = std::move(*traced);
         error = *compared;

@@ -258,8 +258,8 @@ Failure failureOf(const AoStatus& status) {
     }
 }
 
-Outcome<RenderResult> render(const GlSession& session, const Model& model, const RenderJob& job,
-                             Progress& progress) {
+Result<RenderResult, Failure> render(const GlSession& session, const Model& model,
+                                     const RenderJob& job, Progress& progress) {
     progress.begin(model.name + ": rendering");
     Result<AmbientOcclusion> ao = host::createInstance(session.loader(), job.options);
     if (!ao) {

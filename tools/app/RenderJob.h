@@ -6,8 +6,8 @@
 #include <aolib/Status.h>
 #include <glm/vec3.hpp>
 
+#include "app/Failure.h"
 #include "app/GlSession.h"
-#include "app/Outcome.h"
 #include "app/Progress.h"
 #include "content/Model.h"
 #include "content/NamedCamera.h"
@@ -47,8 +47,8 @@ struct RenderResult {
 };
 
 /// Renders a model. Errors: Graphics, BadInput (what the library rejects of options and scene).
-Outcome<RenderResult> render(const GlSession& session, const Model& model, const RenderJob& job,
-                             Progress& progress);
+Result<RenderResult, Failure> render(const GlSession& session, const Model& model,
+                                     const RenderJob& job, Progress& progress);
 
 /// The failure that a status of the library means to the shell.
 Failure failureOf(const AoStatus& status);

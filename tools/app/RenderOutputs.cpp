@@ -165,9 +165,10 @@ MaybeFailure RenderOutputs::write(const RenderResult& result, const std::optiona
     put(compositeFiles_, result.composite);
     if (truth) {
         put(truthFiles_, truth->visibility);
-        const Outcome<ByteImage> difference = differenceFromTruth(result.visibility, *truth);
+        const Result<ByteImage, Failure> difference =
+            differenceFromTruth(result.visibility, *truth);
         if (!difference) {
-            return difference.failure();
+            return difference.error();
         }
         put(differenceFiles_, *difference);
     }

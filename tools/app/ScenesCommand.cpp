@@ -42,10 +42,10 @@ void listModels(Progress& progress) {
     std::vector<std::string> remarks{"cameras"};
     progress.begin("reading the models");
     for (const std::filesystem::path& file : availableModels()) {
-        const Loaded<Model> model = loadModel(file);
+        const Result<Model, LoadError> model = loadModel(file);
         table.add({file.string(), model ? grouped(model->triangleCount()) : "-"});
         remarks.push_back(model ? cameraNames(camerasFor(file.string(), *model))
-                                : model.sentence());
+                                : model.error().sentence);
     }
     progress.pause();
     if (remarks.size() > 1) {

@@ -38,14 +38,14 @@ MaybeFailure trace(const TruthCommandFlags& flags) {
     }
     Progress progress;
     progress.begin("opening the scene");
-    const Outcome<View> view = flags.view.open();
+    const Result<View, Failure> view = flags.view.open();
     if (!view) {
-        return view.failure();
+        return view.error();
     }
     const Options options = resolveOptions(*view, flags.options);
-    const Outcome<Truth> truth = traceTruth(*view, options, flags.rays, progress);
+    const Result<Truth, Failure> truth = traceTruth(*view, options, flags.rays, progress);
     if (!truth) {
-        return truth.failure();
+        return truth.error();
     }
     files.put(flags.out, truth->visibility);
     if (!flags.error.empty()) {

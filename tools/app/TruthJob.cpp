@@ -7,7 +7,8 @@
 
 namespace aolib::app {
 
-Outcome<Truth> traceTruth(const View& view, const Options& options, int rays, Progress& progress) {
+Result<Truth, Failure> traceTruth(const View& view, const Options& options, int rays,
+                                  Progress& progress) {
     progress.begin(view.model.name + ": tracing the truth");
     Result<RayScene> scene = RayScene::create(view.model.flattened());
     if (!scene) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/Outcome.h"
+#include "app/Failure.h"
 #include "app/Progress.h"
 #include "app/ViewFlags.h"
 #include "image/Image.h"
@@ -17,6 +17,7 @@ struct Truth {
 
 /// Traces the W of a view. @param options  radius (above 0) and falloff are read.
 /// Errors: BadInput.
-Outcome<Truth> traceTruth(const View& view, const Options& options, int rays, Progress& progress);
+Result<Truth, Failure> traceTruth(const View& view, const Options& options, int rays,
+                                  Progress& progress);
 
 } // namespace aolib::app

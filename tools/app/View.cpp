@@ -11,8 +11,8 @@ namespace aolib::app {
 
 namespace {
 
-Outcome<NamedCamera> namedCamera(const std::string& scene, const std::string& name,
-                                 const Model& model) {
+Result<NamedCamera, Failure> namedCamera(const std::string& scene, const std::string& name,
+                                         const Model& model) {
     std::string names;
     for (const NamedCamera& camera : camerasFor(scene, model)) {
         if (name.empty() || camera.name == name) {
@@ -30,15 +30,15 @@ void addGround(View& view, float y) {
     aolib::addGround(view.model, y);
 }
 
-Outcome<View> openCaseView(const std::string& file, std::optional<float> ground) {
-    Loaded<Case> description = readCase(file);
+Result<View, Failure> openCaseView(const std::string& file, std::optional<float> ground) {
+    Result<Case, LoadError> description = readCase(file);
     if (!description) {
-        return badInput(description.sentence());
+        return badInput(description.error().sentence);
     }
     const std::optional<float> own = std::exchange(description->ground, std::nullopt);
-    Loaded<Model> model = loadCaseModel(*description);
+    Result<Model, LoadError> model = loadCaseModel(*description);
     if (!model) {
-        return badInput(model.sentence());
+        return badInput(model.error().sentence);
     }
     View view;
     const bool generated = findGeneratedScene(description->mesh) != nullptr;
@@ -58,18 +58,18 @@ Outcome<View> openCaseView(const std::string& file, std::optional<float> ground)
     return view;
 }
 
-Outcome<View> openSceneView(const std::string& nameOrPath, const std::string& camera) {
-    Loaded<Model> model = openScene(nameOrPath);
+Result<View, Failure> openSceneView(const std::string& nameOrPath, const std::string& camera) {
+    Result<Model, LoadError> model = openScene(nameOrPath);
     if (!model) {
-        return badInput(model.sentence());
+        return badInput(model.error().sentence);
     }
     View view;
     view.scene = nameOrPath;
     view.model = std::move(*model);
     view.diagonal = static_cast<double>(view.model.bounds().diagonal());
-    const Outcome<NamedCamera> found = namedCamera(nameOrPath, camera, view.model);
+    const Result<NamedCamera, Failure> found = namedCamera(nameOrPath, camera, view.model);
     if (!found) {
-        return found.failure();
+        return found.error();
     }
     view.camera = *found;
     return view;

@@ -5,7 +5,7 @@
 
 #include <aolib/Options.h>
 
-#include "app/Outcome.h"
+#include "app/Failure.h"
 #include "content/Model.h"
 #include "content/NamedCamera.h"
 #include "host/ModelScene.h"
@@ -30,10 +30,10 @@ void addGround(View& view, float y);
 
 /// A case file's view. Errors: BadInput.
 /// @param ground  in place of the case's own.
-Outcome<View> openCaseView(const std::string& file, std::optional<float> ground = {});
+Result<View, Failure> openCaseView(const std::string& file, std::optional<float> ground = {});
 
 /// A generated scene or a model file, from one of its cameras, the first if none is named.
 /// Errors: BadInput.
-Outcome<View> openSceneView(const std::string& nameOrPath, const std::string& camera = {});
+Result<View, Failure> openSceneView(const std::string& nameOrPath, const std::string& camera = {});
 
 } // namespace aolib::app

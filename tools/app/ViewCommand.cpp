@@ -55,12 +55,12 @@ MaybeFailure show(const ViewCommandFlags& flags) {
     }
     if (flags.settings.rival == viewer::Rival::Environment) {
         if (const auto map = openEnvironment(flags.settings.environment); !map) {
-            return badInput(map.sentence());
+            return badInput(map.error().sentence);
         }
     }
-    Outcome<View> view = flags.view.open();
+    Result<View, Failure> view = flags.view.open();
     if (!view) {
-        return view.failure();
+        return view.error();
     }
     viewer::ViewerSettings settings = flags.settings;
     settings.options = resolveOptions(*view, flags.options);
@@ -69,8 +69,9 @@ MaybeFailure show(const ViewCommandFlags& flags) {
     }
     settings.invited = flags.view.named();
     settings.view = std::move(*view);
-    Outcome<std::unique_ptr<viewer::Viewer>> window = viewer::Viewer::open(std::move(settings));
-    return window ? (*window)->run() : window.failure();
+    Result<std::unique_ptr<viewer::Viewer>, Failure> window =
+        viewer::Viewer::open(std::move(settings));
+    return window ? (*window)->run() : window.error();
 }
 
 void attachWindow(CLI::App& command, viewer::ViewerSettings& settings) {

@@ -92,7 +92,7 @@ void ViewFlags::attach(CLI::App& command, const ViewDefaults& defaults) {
         ->group("View");
 }
 
-Outcome<View> ViewFlags::open() const {
+Result<View, Failure> ViewFlags::open() const {
     const std::string& scene = named() ? scene_ : defaults_.scene;
     if (scene.empty() == case_.empty()) {
         return badInput(case_.empty() ? "a scene or --case is needed; \"aolib scenes\" lists some"
@@ -104,7 +104,7 @@ Outcome<View> ViewFlags::open() const {
     }
     const std::optional<float> ground =
         ground_ ? std::optional(static_cast<float>(*ground_)) : std::nullopt;
-    Outcome<View> view =
+    Result<View, Failure> view =
         case_.empty() ? openSceneView(scene, camera_) : openCaseView(case_, ground);
     if (!view) {
         return view;

@@ -5,7 +5,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "app/Outcome.h"
+#include "app/Failure.h"
 #include "app/View.h"
 
 namespace CLI {
@@ -28,7 +28,7 @@ public:
     void attach(CLI::App& command, const ViewDefaults& defaults = {});
 
     /// Reads the scene. Flags override what a case file says. Errors: BadInput.
-    Outcome<View> open() const;
+    Result<View, Failure> open() const;
     /// Whether a scene or a case file was named.
     bool named() const { return !scene_.empty() || !case_.empty(); }
 

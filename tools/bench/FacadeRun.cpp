@@ -74,8 +74,9 @@ FacadeRun::FacadeRun(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 FacadeRun::FacadeRun(FacadeRun&&) noexcept = default;
 FacadeRun::~FacadeRun() = default;
 
-Loaded<FacadeRun> FacadeRun::create(const gl::Functions& gl, const ProcAddressLoader& loader,
-                                    const OpenedScene& scene, const PictureSize& size) {
+Result<FacadeRun, LoadError> FacadeRun::create(const gl::Functions& gl,
+                                               const ProcAddressLoader& loader,
+                                               const OpenedScene& scene, const PictureSize& size) {
     const auto failed = [&](const AoStatus& status) {
         return LoadError{scene.entry.name + ": " + status.message()};
     };

@@ -9,7 +9,7 @@
 #include "bench/MethodTable.h"
 #include "bench/OpenedScene.h"
 #include "bench/Truth.h"
-#include "content/Loaded.h"
+#include "content/LoadError.h"
 #include "gl/Functions.h"
 
 namespace aolib::bench {
@@ -20,8 +20,9 @@ namespace aolib::bench {
 class FacadeRun {
 public:
     /// @param gl,scene  must outlive it. Errors: what the library or the host's renderer rejects.
-    static Loaded<FacadeRun> create(const gl::Functions& gl, const ProcAddressLoader& loader,
-                                    const OpenedScene& scene, const PictureSize& size);
+    static Result<FacadeRun, LoadError> create(const gl::Functions& gl,
+                                               const ProcAddressLoader& loader,
+                                               const OpenedScene& scene, const PictureSize& size);
     FacadeRun(FacadeRun&&) noexcept;
     ~FacadeRun();
 

@@ -33,13 +33,13 @@ std::uint64_t fingerprintOf(const TriangleMesh& mesh) {
 
 } // namespace
 
-Loaded<OpenedScene> openBenchScene(const BenchScene& entry) {
+Result<OpenedScene, LoadError> openBenchScene(const BenchScene& entry) {
     const std::string source = sourceOf(entry);
     if (source.empty()) {
         return LoadError{entry.name + ": no model of this name; AOLIB_MODELS_DIR names the folder "
                                       "that has the models"};
     }
-    Loaded<Model> model = openScene(source);
+    Result<Model, LoadError> model = openScene(source);
     if (!model) {
         return model.error();
     }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bench/CaseTable.h"
-#include "content/Loaded.h"
+#include "content/LoadError.h"
 #include "content/Model.h"
 #include "content/NamedCamera.h"
 #include "raytracing/RayScene.h"
@@ -24,6 +24,6 @@ struct OpenedScene {
 
 /// Opens a scene of the table. Errors: no such model among availableModels(), and whatever is wrong
 /// with its file.
-Loaded<OpenedScene> openBenchScene(const BenchScene& entry);
+Result<OpenedScene, LoadError> openBenchScene(const BenchScene& entry);
 
 } // namespace aolib::bench

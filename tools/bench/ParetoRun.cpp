@@ -26,7 +26,7 @@ public:
         : gl_(gl), loader_(loader), settings_(settings), reports_(reports),
           left_(settings.cases.size(), settings.methods.size() + 1) {} // the last: truths
 
-    Loaded<std::vector<ParetoRow>> run();
+    Result<std::vector<ParetoRow>, LoadError> run();
 
 private:
     /// All cases of a scene, beginning at `first`. Returns why everything must stop.
@@ -45,7 +45,7 @@ private:
     std::vector<ParetoRow> rows_;
 };
 
-Loaded<std::vector<ParetoRow>> Pareto::run() {
+Result<std::vector<ParetoRow>, LoadError> Pareto::run() {
     std::vector<BenchCase> ofScene;
     for (std::size_t i = 0; i < settings_.cases.size(); ++i) {
         ofScene.push_back(settings_.cases[i]);
@@ -80,14 +80,15 @@ void Pareto::leaveOut(const std::vector<BenchCase>& cases, const std::string& re
 
 std::string Pareto::runScene(const std::vector<BenchCase>& cases) {
     announce(cases.front().scene.name + ": opening");
-    const Loaded<OpenedScene> scene = openBenchScene(cases.front().scene);
+    const Result<OpenedScene, LoadError> scene = openBenchScene(cases.front().scene);
     if (!scene) {
-        leaveOut(cases, scene.sentence());
+        leaveOut(cases, scene.error().sentence);
         return "";
     }
-    Loaded<FacadeRun> facade = FacadeRun::create(gl_, loader_, *scene, settings_.truth.size);
+    Result<FacadeRun, LoadError> facade =
+        FacadeRun::create(gl_, loader_, *scene, settings_.truth.size);
     if (!facade) {
-        leaveOut(cases, facade.sentence());
+        leaveOut(cases, facade.error().sentence);
         return "";
     }
     for (const BenchCase& which : cases) {
@@ -107,18 +108,19 @@ std::string Pareto::runCase(const OpenedScene& scene, FacadeRun& facade, const B
     ParetoRow row{which, scene.cameras[which.camera].name, {}, 0.0, 0, {}};
     announce(caseName(row) + ": truth");
     const Clock::time_point tracing = Clock::now();
-    Loaded<Truth> truth = bench::traceTruth(scene, which, settings_.truth, settings_.cache);
+    Result<Truth, LoadError> truth =
+        bench::traceTruth(scene, which, settings_.truth, settings_.cache);
     if (!truth) {
-        return truth.sentence();
+        return truth.error().sentence;
     }
     if (truth->receivers.points.empty()) {
         leaveOut({which}, caseName(row) + ": the camera sees nothing");
         return "";
     }
-    const Loaded<std::size_t> moved = followPicture(
+    const Result<std::size_t, LoadError> moved = followPicture(
         scene, which, settings_.truth, facade.drawDepths(scene.cameras[which.camera]), *truth);
     if (!moved) {
-        return moved.sentence();
+        return moved.error().sentence;
     }
     row.truthMoved = *moved;
     left_.done(settings_.methods.size(), millisecondsSince(tracing) / kMsPerSecond);
@@ -166,9 +168,10 @@ std::string caseFileName(const ParetoRow& row) {
     return name;
 }
 
-Loaded<std::vector<ParetoRow>> runPareto(const gl::Functions& gl, const ProcAddressLoader& loader,
-                                         const ParetoSettings& settings,
-                                         const ParetoReports& reports) {
+Result<std::vector<ParetoRow>, LoadError> runPareto(const gl::Functions& gl,
+                                                    const ProcAddressLoader& loader,
+                                                    const ParetoSettings& settings,
+                                                    const ParetoReports& reports) {
     return Pareto(gl, loader, settings, reports).run();
 }
 

@@ -54,8 +54,9 @@ struct ParetoReports {
 
 /// Measures every method in every case. Scenes that cannot be opened are left out with a warning.
 /// Errors: nothing could be measured; the cache or the output cannot be written.
-Loaded<std::vector<ParetoRow>> runPareto(const gl::Functions& gl, const ProcAddressLoader& loader,
-                                         const ParetoSettings& settings,
-                                         const ParetoReports& reports);
+Result<std::vector<ParetoRow>, LoadError> runPareto(const gl::Functions& gl,
+                                                    const ProcAddressLoader& loader,
+                                                    const ParetoSettings& settings,
+                                                    const ParetoReports& reports);
 
 } // namespace aolib::bench

@@ -139,16 +139,17 @@ std::string describe(const ThesisSetting& setting) {
 
 } // namespace
 
-Loaded<std::vector<ThesisRow>> runThesis(const gl::Functions& gl, const ProcAddressLoader& loader,
-                                         const ThesisRunSettings& settings,
-                                         const ThesisReports& reports) {
+Result<std::vector<ThesisRow>, LoadError> runThesis(const gl::Functions& gl,
+                                                    const ProcAddressLoader& loader,
+                                                    const ThesisRunSettings& settings,
+                                                    const ThesisReports& reports) {
     TimeLeft left(settings.scenes.size(), settings.settings.size());
     std::vector<ThesisRow> rows;
     for (const BenchScene& entry : settings.scenes) {
         reports.stage(entry.name + ": opening");
-        const Loaded<OpenedScene> scene = openBenchScene(entry);
+        const Result<OpenedScene, LoadError> scene = openBenchScene(entry);
         if (!scene) {
-            reports.warn("left out: " + scene.sentence());
+            reports.warn("left out: " + scene.error().sentence);
             left.skipCase();
             continue;
         }

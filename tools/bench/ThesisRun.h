@@ -12,7 +12,7 @@
 #include "bench/Measurement.h"
 #include "bench/Receivers.h"
 #include "bench/ThesisTable.h"
-#include "content/Loaded.h"
+#include "content/LoadError.h"
 #include "gl/Functions.h"
 
 namespace aolib::bench {
@@ -51,8 +51,9 @@ struct ThesisReports {
 };
 
 /// Errors: nothing could be measured; what sceneDone answers.
-Loaded<std::vector<ThesisRow>> runThesis(const gl::Functions& gl, const ProcAddressLoader& loader,
-                                         const ThesisRunSettings& settings,
-                                         const ThesisReports& reports);
+Result<std::vector<ThesisRow>, LoadError> runThesis(const gl::Functions& gl,
+                                                    const ProcAddressLoader& loader,
+                                                    const ThesisRunSettings& settings,
+                                                    const ThesisReports& reports);
 
 } // namespace aolib::bench

@@ -12,9 +12,10 @@ namespace {
 /// Named in the key: raise it when the way of tracing changes.
 constexpr int kTracingVersion = 1;
 
-Loaded<VisibilityList> trace(const OpenedScene& scene, const BenchCase& which,
-                             const TruthSettings& settings, const std::vector<Receiver>& points,
-                             const LoopProgress& progress) {
+Result<VisibilityList, LoadError> trace(const OpenedScene& scene, const BenchCase& which,
+                                        const TruthSettings& settings,
+                                        const std::vector<Receiver>& points,
+                                        const LoopProgress& progress) {
     TraceSettings tracing;
     tracing.rays = settings.rays;
     tracing.radius = which.radiusShare * scene.diagonal;
@@ -55,9 +56,10 @@ std::string truthKey(const OpenedScene& scene, const BenchCase& which,
     return text.str();
 }
 
-Loaded<Truth> traceTruth(const OpenedScene& scene, const BenchCase& which,
-                         const TruthSettings& settings, const std::filesystem::path& cache,
-                         const LoopProgress& progress) {
+Result<Truth, LoadError> traceTruth(const OpenedScene& scene, const BenchCase& which,
+                                    const TruthSettings& settings,
+                                    const std::filesystem::path& cache,
+                                    const LoopProgress& progress) {
     Truth truth;
     truth.receivers = findReceivers(scene.rays, scene.cameras[which.camera], settings.size,
                                     latticePixels(settings.size, settings.stride, settings.seed));
@@ -71,9 +73,10 @@ Loaded<Truth> traceTruth(const OpenedScene& scene, const BenchCase& which,
         truth.fromCache = true;
         return truth;
     }
-    Loaded<VisibilityList> traced = trace(scene, which, settings, truth.receivers.points, progress);
+    Result<VisibilityList, LoadError> traced =
+        trace(scene, which, settings, truth.receivers.points, progress);
     if (!traced) {
-        return LoadError{traced.sentence()};
+        return LoadError{traced.error().sentence};
     }
     truth.visibility = std::move(traced->visibility);
     truth.standardError = std::move(traced->standardError);
@@ -85,9 +88,9 @@ Loaded<Truth> traceTruth(const OpenedScene& scene, const BenchCase& which,
     return truth;
 }
 
-Loaded<std::size_t> followPicture(const OpenedScene& scene, const BenchCase& which,
-                                  const TruthSettings& settings, std::vector<float> depths,
-                                  Truth& truth) {
+Result<std::size_t, LoadError> followPicture(const OpenedScene& scene, const BenchCase& which,
+                                             const TruthSettings& settings,
+                                             std::vector<float> depths, Truth& truth) {
     truth.drawn = std::move(depths);
     const std::vector<std::size_t> moved = followPicture(
         scene.rays, scene.cameras[which.camera], settings.size, truth.drawn, truth.receivers);
@@ -95,9 +98,9 @@ Loaded<std::size_t> followPicture(const OpenedScene& scene, const BenchCase& whi
     for (const std::size_t i : moved) {
         points.push_back(truth.receivers.points[i]);
     }
-    const Loaded<VisibilityList> traced = trace(scene, which, settings, points, {});
+    const Result<VisibilityList, LoadError> traced = trace(scene, which, settings, points, {});
     if (!traced) {
-        return LoadError{traced.sentence()};
+        return LoadError{traced.error().sentence};
     }
     for (std::size_t i = 0; i < moved.size(); ++i) {
         truth.visibility[moved[i]] = traced->visibility[i];

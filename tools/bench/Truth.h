@@ -7,7 +7,7 @@
 
 #include "bench/OpenedScene.h"
 #include "bench/Receivers.h"
-#include "content/Loaded.h"
+#include "content/LoadError.h"
 #include "parallel/ParallelLoop.h"
 
 namespace aolib::bench {
@@ -34,16 +34,17 @@ struct Truth {
 /// it is kept afterwards; an empty path keeps nothing. Files of the cache that do not fit are
 /// traced again.
 /// Errors: the cache cannot be written; what the tracer rejects.
-Loaded<Truth> traceTruth(const OpenedScene& scene, const BenchCase& which,
-                         const TruthSettings& settings, const std::filesystem::path& cache,
-                         const LoopProgress& progress = {});
+Result<Truth, LoadError> traceTruth(const OpenedScene& scene, const BenchCase& which,
+                                    const TruthSettings& settings,
+                                    const std::filesystem::path& cache,
+                                    const LoopProgress& progress = {});
 
 /// Makes a truth that of a picture: of the surfaces that were drawn (see followPicture()).
 /// @param depths  of all pixels, 0 to 1. @return how many receivers have moved, or what the tracer
 /// rejects.
-Loaded<std::size_t> followPicture(const OpenedScene& scene, const BenchCase& which,
-                                  const TruthSettings& settings, std::vector<float> depths,
-                                  Truth& truth);
+Result<std::size_t, LoadError> followPicture(const OpenedScene& scene, const BenchCase& which,
+                                             const TruthSettings& settings,
+                                             std::vector<float> depths, Truth& truth);
 
 /// Everything that the truth of a case depends on, as text: the cache's key.
 std::string truthKey(const OpenedScene& scene, const BenchCase& which,

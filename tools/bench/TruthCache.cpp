@@ -39,7 +39,7 @@ std::optional<TruthCache::Values> TruthCache::read(const std::string& key,
     if (folder_.empty() || !std::filesystem::is_regular_file(file(key), ignored)) {
         return std::nullopt;
     }
-    const ImageResult<Bytes> content = readFile(file(key));
+    const Result<Bytes, ImageError> content = readFile(file(key));
     const std::size_t part = count * sizeof(float);
     if (!content || content->size() != key.size() + 2 * part ||
         std::memcmp(content->data(), key.data(), key.size()) != 0) {

@@ -37,7 +37,7 @@ class CaseParser {
 public:
     CaseParser(const Json& json, std::string name) : json_(json), name_(std::move(name)) {}
 
-    Loaded<Case> parse();
+    Result<Case, LoadError> parse();
 
 private:
     void fail(const std::string& reason) {
@@ -162,7 +162,7 @@ void CaseParser::checkRanges(const Case& scene) {
     }
 }
 
-Loaded<Case> CaseParser::parse() {
+Result<Case, LoadError> CaseParser::parse() {
     if (!json_.is_object()) {
         return LoadError{name_ + ": a case is a JSON object"};
     }
@@ -208,10 +208,10 @@ Json list(const glm::vec3& v) {
 
 } // namespace
 
-Loaded<Case> parseCase(std::string_view json, const std::filesystem::path& file) {
+Result<Case, LoadError> parseCase(std::string_view json, const std::filesystem::path& file) {
     try {
         const Json parsed = Json::parse(json.begin(), json.end());
-        Loaded<Case> scene = CaseParser(parsed, file.string()).parse();
+        Result<Case, LoadError> scene = CaseParser(parsed, file.string()).parse();
         if (scene) {
             scene->folder = file.parent_path();
         }
@@ -224,8 +224,8 @@ Loaded<Case> parseCase(std::string_view json, const std::filesystem::path& file)
     }
 }
 
-Loaded<Case> readCase(const std::filesystem::path& file) {
-    const Loaded<std::string> bytes = readFileBytes(file);
+Result<Case, LoadError> readCase(const std::filesystem::path& file) {
+    const Result<std::string, LoadError> bytes = readFileBytes(file);
     if (!bytes) {
         return bytes.error();
     }
@@ -277,9 +277,10 @@ void addGround(Model& model, float y) {
     model.meshes.push_back(std::move(mesh));
 }
 
-Loaded<Model> loadCaseModel(const Case& scene) {
+Result<Model, LoadError> loadCaseModel(const Case& scene) {
     const bool generated = findGeneratedScene(scene.mesh) != nullptr;
-    Loaded<Model> model = openScene(generated ? scene.mesh : (scene.folder / scene.mesh).string());
+    Result<Model, LoadError> model =
+        openScene(generated ? scene.mesh : (scene.folder / scene.mesh).string());
     if (model && scene.ground) {
         addGround(*model, *scene.ground);
     }

@@ -9,7 +9,7 @@
 
 #include <aolib/Options.h>
 
-#include "content/Loaded.h"
+#include "content/LoadError.h"
 #include "content/Model.h"
 #include "content/NamedCamera.h"
 
@@ -42,16 +42,16 @@ struct Case {
 
 /// Reads a case from JSON text. Unknown and missing keys, wrong types and values out of range are
 /// errors that name the key. `file` names the case in messages and gives its folder.
-Loaded<Case> parseCase(std::string_view json, const std::filesystem::path& file);
+Result<Case, LoadError> parseCase(std::string_view json, const std::filesystem::path& file);
 
 /// The same from a file.
-Loaded<Case> readCase(const std::filesystem::path& file);
+Result<Case, LoadError> readCase(const std::filesystem::path& file);
 
 /// The case as JSON text; parseCase() gives it back unchanged.
 std::string writeCase(const Case& scene);
 
 /// The case's scene, with its ground as a mesh of its own named "ground" where it has one.
-Loaded<Model> loadCaseModel(const Case& scene);
+Result<Model, LoadError> loadCaseModel(const Case& scene);
 
 /// Appends a horizontal quad at height y, 20 times as wide as the model is large, facing up.
 void addGround(Model& model, float y);

@@ -9,7 +9,7 @@
 
 namespace aolib {
 
-Loaded<lighting::EnvironmentMap> openEnvironment(const std::string& nameOrPath) {
+Result<lighting::EnvironmentMap, LoadError> openEnvironment(const std::string& nameOrPath) {
     if (const GeneratedEnvironment* environment = findGeneratedEnvironment(nameOrPath)) {
         return environment->build();
     }
@@ -23,8 +23,9 @@ Loaded<lighting::EnvironmentMap> openEnvironment(const std::string& nameOrPath) 
         return LoadError{nameOrPath + ": neither a file nor a generated environment (" + names +
                          ")"};
     }
-    const Loaded<std::string> bytes = readFileBytes(file);
-    return bytes ? readHdr(*bytes, file) : Loaded<lighting::EnvironmentMap>(bytes.error());
+    const Result<std::string, LoadError> bytes = readFileBytes(file);
+    return bytes ? readHdr(*bytes, file)
+                 : Result<lighting::EnvironmentMap, LoadError>(bytes.error());
 }
 
 } // namespace aolib

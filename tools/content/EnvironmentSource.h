@@ -4,11 +4,11 @@
 
 #include <aolib/lighting/EnvironmentMap.h>
 
-#include "content/Loaded.h"
+#include "content/LoadError.h"
 
 namespace aolib {
 
 /// The generated environment of this name, or else the Radiance file (.hdr) of this path.
-Loaded<lighting::EnvironmentMap> openEnvironment(const std::string& nameOrPath);
+Result<lighting::EnvironmentMap, LoadError> openEnvironment(const std::string& nameOrPath);
 
 } // namespace aolib

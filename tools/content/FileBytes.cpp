@@ -11,7 +11,7 @@ constexpr std::uintmax_t largestFile = std::uintmax_t{1} << 31;
 
 } // namespace
 
-Loaded<std::string> readFileBytes(const std::filesystem::path& file) {
+Result<std::string, LoadError> readFileBytes(const std::filesystem::path& file) {
     const std::string name = file.string();
     std::error_code code;
     const std::filesystem::file_status status = std::filesystem::status(file, code);

@@ -3,12 +3,12 @@
 #include <filesystem>
 #include <string>
 
-#include "content/Loaded.h"
+#include "content/LoadError.h"
 
 namespace aolib {
 
 /// The whole of a regular file, at most 2 GiB. Fails with a sentence on folders, devices, files
 /// that cannot be opened, and read errors.
-Loaded<std::string> readFileBytes(const std::filesystem::path& file);
+Result<std::string, LoadError> readFileBytes(const std::filesystem::path& file);
 
 } // namespace aolib

@@ -28,17 +28,18 @@ public:
     AccessorReader(const GltfDocument& document, int index) : document_(document), index_(index) {}
 
     template <typename Vector>
-    Loaded<std::vector<Vector>> vectors() const;
-    Loaded<std::vector<std::uint32_t>> indices() const;
+    Result<std::vector<Vector>, LoadError> vectors() const;
+    Result<std::vector<std::uint32_t>, LoadError> indices() const;
 
 private:
     LoadError failure(const std::string& reason) const {
         return LoadError{document_.name + ": accessor " + std::to_string(index_) + " " + reason};
     }
     const tinygltf::Accessor* find() const;
-    Loaded<ByteRun> locate(std::int64_t view, std::uint64_t offset, std::size_t count,
-                           std::size_t elementSize) const;
-    Loaded<std::vector<std::uint32_t>> sparseIndices(const tinygltf::Accessor& accessor) const;
+    Result<ByteRun, LoadError> locate(std::int64_t view, std::uint64_t offset, std::size_t count,
+                                      std::size_t elementSize) const;
+    Result<std::vector<std::uint32_t>, LoadError>
+    sparseIndices(const tinygltf::Accessor& accessor) const;
 
     const GltfDocument& document_;
     int index_;
@@ -160,8 +161,9 @@ const tinygltf::Accessor* AccessorReader::find() const {
                : nullptr;
 }
 
-Loaded<ByteRun> AccessorReader::locate(std::int64_t view, std::uint64_t offset, std::size_t count,
-                                       std::size_t elementSize) const {
+Result<ByteRun, LoadError> AccessorReader::locate(std::int64_t view, std::uint64_t offset,
+                                                  std::size_t count,
+                                                  std::size_t elementSize) const {
     const auto& views = document_.structure.bufferViews;
     if (view < 0 || static_cast<std::size_t>(view) >= views.size()) {
         return failure("names buffer view " + std::to_string(view) + ", which does not exist");
@@ -189,7 +191,7 @@ Loaded<ByteRun> AccessorReader::locate(std::int64_t view, std::uint64_t offset, 
     return ByteRun{count == 0 ? buffer.data() : buffer.data() + start + offset, stride};
 }
 
-Loaded<std::vector<std::uint32_t>>
+Result<std::vector<std::uint32_t>, LoadError>
 AccessorReader::sparseIndices(const tinygltf::Accessor& accessor) const {
     const int type = accessor.sparse.indices.componentType;
     if (!isIndexType(type)) {
@@ -201,7 +203,7 @@ AccessorReader::sparseIndices(const tinygltf::Accessor& accessor) const {
         return failure("has a negative sparse count or offset");
     }
     const auto count = static_cast<std::size_t>(accessor.sparse.count);
-    const Loaded<ByteRun> run = locate(
+    const Result<ByteRun, LoadError> run = locate(
         accessor.sparse.indices.bufferView,
         static_cast<std::uint64_t>(accessor.sparse.indices.byteOffset), count, componentSize(type));
     if (!run) {
@@ -219,7 +221,7 @@ AccessorReader::sparseIndices(const tinygltf::Accessor& accessor) const {
 }
 
 template <typename Vector>
-Loaded<std::vector<Vector>> AccessorReader::vectors() const {
+Result<std::vector<Vector>, LoadError> AccessorReader::vectors() const {
     constexpr ElementKind kind = kindOf(Vector::length());
     const tinygltf::Accessor* accessor = find();
     if (accessor == nullptr) {
@@ -232,7 +234,7 @@ Loaded<std::vector<Vector>> AccessorReader::vectors() const {
     const std::size_t size = std::size_t{Vector::length()} * componentSize(type);
     std::vector<Vector> result;
     if (accessor->bufferView >= 0) {
-        const Loaded<ByteRun> run =
+        const Result<ByteRun, LoadError> run =
             locate(accessor->bufferView, accessor->byteOffset, accessor->count, size);
         if (!run) {
             return run.error();
@@ -250,11 +252,11 @@ Loaded<std::vector<Vector>> AccessorReader::vectors() const {
     if (!accessor->sparse.isSparse) {
         return result;
     }
-    const Loaded<std::vector<std::uint32_t>> places = sparseIndices(*accessor);
+    const Result<std::vector<std::uint32_t>, LoadError> places = sparseIndices(*accessor);
     if (!places) {
         return places.error();
     }
-    const Loaded<ByteRun> run = locate(
+    const Result<ByteRun, LoadError> run = locate(
         accessor->sparse.values.bufferView,
         static_cast<std::uint64_t>(accessor->sparse.values.byteOffset), places->size(), size);
     if (!run) {
@@ -267,7 +269,7 @@ Loaded<std::vector<Vector>> AccessorReader::vectors() const {
     return result;
 }
 
-Loaded<std::vector<std::uint32_t>> AccessorReader::indices() const {
+Result<std::vector<std::uint32_t>, LoadError> AccessorReader::indices() const {
     const tinygltf::Accessor* accessor = find();
     if (accessor == nullptr) {
         return failure("does not exist");
@@ -276,7 +278,7 @@ Loaded<std::vector<std::uint32_t>> AccessorReader::indices() const {
     if (accessor->type != TINYGLTF_TYPE_SCALAR || !isIndexType(type) || accessor->sparse.isSparse) {
         return failure("does not hold indices");
     }
-    const Loaded<ByteRun> run =
+    const Result<ByteRun, LoadError> run =
         locate(accessor->bufferView, accessor->byteOffset, accessor->count, componentSize(type));
     if (!run) {
         return run.error();
@@ -290,19 +292,19 @@ Loaded<std::vector<std::uint32_t>> AccessorReader::indices() const {
 
 } // namespace
 
-Loaded<std::vector<glm::vec3>> readVectors(const GltfDocument& document, int accessor) {
+Result<std::vector<glm::vec3>, LoadError> readVectors(const GltfDocument& document, int accessor) {
     return AccessorReader(document, accessor).vectors<glm::vec3>();
 }
 
-Loaded<std::vector<glm::vec2>> readPairs(const GltfDocument& document, int accessor) {
+Result<std::vector<glm::vec2>, LoadError> readPairs(const GltfDocument& document, int accessor) {
     return AccessorReader(document, accessor).vectors<glm::vec2>();
 }
 
-Loaded<std::vector<glm::vec4>> readQuads(const GltfDocument& document, int accessor) {
+Result<std::vector<glm::vec4>, LoadError> readQuads(const GltfDocument& document, int accessor) {
     return AccessorReader(document, accessor).vectors<glm::vec4>();
 }
 
-Loaded<std::vector<float>> readNumbers(const GltfDocument& document, int accessor) {
+Result<std::vector<float>, LoadError> readNumbers(const GltfDocument& document, int accessor) {
     const auto read = AccessorReader(document, accessor).vectors<Numbers<1>>();
     if (!read) {
         return read.error();
@@ -314,7 +316,7 @@ Loaded<std::vector<float>> readNumbers(const GltfDocument& document, int accesso
     return numbers;
 }
 
-Loaded<std::vector<glm::mat4>> readMatrices(const GltfDocument& document, int accessor) {
+Result<std::vector<glm::mat4>, LoadError> readMatrices(const GltfDocument& document, int accessor) {
     const auto read = AccessorReader(document, accessor).vectors<Numbers<16>>();
     if (!read) {
         return read.error();
@@ -326,7 +328,8 @@ Loaded<std::vector<glm::mat4>> readMatrices(const GltfDocument& document, int ac
     return matrices;
 }
 
-Loaded<std::vector<std::uint32_t>> readIndices(const GltfDocument& document, int accessor) {
+Result<std::vector<std::uint32_t>, LoadError> readIndices(const GltfDocument& document,
+                                                          int accessor) {
     return AccessorReader(document, accessor).indices();
 }
 

@@ -56,16 +56,17 @@ std::vector<float> flattened(const std::vector<glm::vec4>& vectors) {
     return numbers;
 }
 
-Loaded<std::vector<float>> valuesOf(const GltfDocument& document, int accessor, Path path) {
+Result<std::vector<float>, LoadError> valuesOf(const GltfDocument& document, int accessor,
+                                               Path path) {
     if (path == Path::Weights) {
         return readNumbers(document, accessor);
     }
     if (path == Path::Rotation) {
         const auto read = readQuads(document, accessor);
-        return read ? flattened(*read) : Loaded<std::vector<float>>(read.error());
+        return read ? flattened(*read) : Result<std::vector<float>, LoadError>(read.error());
     }
     const auto read = readVectors(document, accessor);
-    return read ? flattened(*read) : Loaded<std::vector<float>>(read.error());
+    return read ? flattened(*read) : Result<std::vector<float>, LoadError>(read.error());
 }
 
 class AnimationReader {
@@ -74,20 +75,20 @@ public:
         : document_(document), source_(document.structure.animations[number]),
           where_(document.name + ": animation " + std::to_string(number)) {}
 
-    Loaded<GltfAnimation> read() const;
+    Result<GltfAnimation, LoadError> read() const;
 
 private:
     LoadError failure(std::size_t channel, const std::string& reason) const {
         return LoadError{where_ + ", channel " + std::to_string(channel) + ": " + reason};
     }
-    Loaded<GltfTrack> track(std::size_t channel, Path path) const;
+    Result<GltfTrack, LoadError> track(std::size_t channel, Path path) const;
 
     const GltfDocument& document_;
     const tinygltf::Animation& source_;
     std::string where_;
 };
 
-Loaded<GltfTrack> AnimationReader::track(std::size_t channel, Path path) const {
+Result<GltfTrack, LoadError> AnimationReader::track(std::size_t channel, Path path) const {
     const tinygltf::AnimationChannel& description = source_.channels[channel];
     if (description.sampler < 0 ||
         static_cast<std::size_t>(description.sampler) >= source_.samplers.size()) {
@@ -103,11 +104,11 @@ Loaded<GltfTrack> AnimationReader::track(std::size_t channel, Path path) const {
     track.interpolation = sampler.interpolation == "STEP"          ? Interpolation::Step
                           : sampler.interpolation == "CUBICSPLINE" ? Interpolation::CubicSpline
                                                                    : Interpolation::Linear;
-    Loaded<std::vector<float>> times = readNumbers(document_, sampler.input);
+    Result<std::vector<float>, LoadError> times = readNumbers(document_, sampler.input);
     if (!times) {
         return times.error();
     }
-    Loaded<std::vector<float>> values = valuesOf(document_, sampler.output, path);
+    Result<std::vector<float>, LoadError> values = valuesOf(document_, sampler.output, path);
     if (!values) {
         return values.error();
     }
@@ -134,14 +135,14 @@ Loaded<GltfTrack> AnimationReader::track(std::size_t channel, Path path) const {
     return track;
 }
 
-Loaded<GltfAnimation> AnimationReader::read() const {
+Result<GltfAnimation, LoadError> AnimationReader::read() const {
     GltfAnimation tracks;
     for (std::size_t channel = 0; channel < source_.channels.size(); ++channel) {
         const std::optional<Path> path = pathOf(source_.channels[channel].target_path);
         if (!path || source_.channels[channel].target_node < 0) {
             continue;
         }
-        Loaded<GltfTrack> read = track(channel, *path);
+        Result<GltfTrack, LoadError> read = track(channel, *path);
         if (!read) {
             return read.error();
         }
@@ -213,10 +214,10 @@ std::vector<double> GltfTrack::at(double seconds) const {
     return result;
 }
 
-Loaded<std::vector<GltfAnimation>> readAnimations(const GltfDocument& document) {
+Result<std::vector<GltfAnimation>, LoadError> readAnimations(const GltfDocument& document) {
     std::vector<GltfAnimation> animations;
     for (std::size_t i = 0; i < document.structure.animations.size(); ++i) {
-        Loaded<GltfAnimation> animation = AnimationReader(document, i).read();
+        Result<GltfAnimation, LoadError> animation = AnimationReader(document, i).read();
         if (!animation) {
             return animation.error();
         }

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "content/GltfDocument.h"
-#include "content/Loaded.h"
+#include "content/LoadError.h"
 
 namespace aolib {
 
@@ -31,6 +31,6 @@ using GltfAnimation = std::vector<GltfTrack>;
 /// The animations of a document that was parsed with its motion. Tracks of properties that are not
 /// glTF's are left out. Fails on accessors that do not fit, missing nodes, times that do not grow,
 /// and values that are not finite.
-Loaded<std::vector<GltfAnimation>> readAnimations(const GltfDocument& document);
+Result<std::vector<GltfAnimation>, LoadError> readAnimations(const GltfDocument& document);
 
 } // namespace aolib

@@ -91,9 +91,9 @@ std::optional<LoadError> GltfContent::packImages(const std::filesystem::path& fo
             continue;
         }
         const std::filesystem::path file = folder / decoded(uri);
-        const Loaded<std::string> bytes = readFileBytes(file);
+        const Result<std::string, LoadError> bytes = readFileBytes(file);
         if (!bytes) {
-            return LoadError{name + " needs " + bytes.sentence()};
+            return LoadError{name + " needs " + bytes.error().sentence};
         }
         image.erase("uri");
         image["mimeType"] = mimeType(file, *bytes);
@@ -102,7 +102,7 @@ std::optional<LoadError> GltfContent::packImages(const std::filesystem::path& fo
     return std::nullopt;
 }
 
-Loaded<std::string> GltfContent::glb() const {
+Result<std::string, LoadError> GltfContent::glb() const {
     Json whole = json;
     if (binary.empty()) {
         whole.erase("buffers");

@@ -10,7 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "content/Loaded.h"
+#include "content/LoadError.h"
 
 namespace aolib {
 
@@ -54,7 +54,7 @@ struct GltfContent {
     /// Reads images in files of their own and packs them in.
     std::optional<LoadError> packImages(const std::filesystem::path& folder);
     /// The whole as a GLB. Fails beyond 4 GiB.
-    Loaded<std::string> glb() const;
+    Result<std::string, LoadError> glb() const;
 };
 
 } // namespace aolib

@@ -45,7 +45,7 @@ std::uint32_t readU32(std::string_view bytes, std::size_t at) {
 }
 
 /// The JSON and binary chunks of a GLB; the whole text for a .gltf.
-Loaded<Container> openContainer(std::string_view bytes, const std::string& name) {
+Result<Container, LoadError> openContainer(std::string_view bytes, const std::string& name) {
     if (bytes.substr(0, 4) != "glTF") {
         return Container{bytes, std::nullopt};
     }
@@ -85,7 +85,7 @@ Loaded<Container> openContainer(std::string_view bytes, const std::string& name)
     return container;
 }
 
-Loaded<PlainJson> parseJson(std::string_view text, const std::string& name) {
+Result<PlainJson, LoadError> parseJson(std::string_view text, const std::string& name) {
     bool tooDeep = false;
     const auto watchDepth = [&](int depth, PlainJson::parse_event_t, PlainJson&) {
         tooDeep = tooDeep || depth > deepestNesting;
@@ -124,7 +124,7 @@ std::string percentDecoded(std::string_view uri) {
     return result;
 }
 
-Loaded<std::string> fetchUri(const std::string& uri, const std::filesystem::path& file) {
+Result<std::string, LoadError> fetchUri(const std::string& uri, const std::filesystem::path& file) {
     if (tinygltf::IsDataURI(uri)) {
         std::vector<unsigned char> data;
         std::string mimeType;
@@ -137,19 +137,20 @@ Loaded<std::string> fetchUri(const std::string& uri, const std::filesystem::path
         return LoadError{file.string() + ": a buffer's address is of a kind that is not read: " +
                          uri.substr(0, 60)};
     }
-    Loaded<std::string> bytes = readFileBytes(file.parent_path() / percentDecoded(uri));
-    return bytes ? bytes : LoadError{file.string() + " needs " + bytes.sentence()};
+    Result<std::string, LoadError> bytes = readFileBytes(file.parent_path() / percentDecoded(uri));
+    return bytes ? bytes : LoadError{file.string() + " needs " + bytes.error().sentence};
 }
 
-Loaded<std::string> loadBuffer(const PlainJson& buffer, std::size_t index,
-                               const Container& container, const std::filesystem::path& file) {
+Result<std::string, LoadError> loadBuffer(const PlainJson& buffer, std::size_t index,
+                                          const Container& container,
+                                          const std::filesystem::path& file) {
     const std::string where = file.string() + ": buffer " + std::to_string(index);
     if (!buffer.is_object() || !buffer.contains("byteLength") ||
         !buffer["byteLength"].is_number_unsigned()) {
         return LoadError{where + " has no byteLength"};
     }
     const auto length = buffer["byteLength"].get<std::size_t>();
-    Loaded<std::string> bytes = std::string();
+    Result<std::string, LoadError> bytes = std::string();
     if (buffer.contains("uri")) {
         if (!buffer["uri"].is_string()) {
             return LoadError{where + " has a uri that is not a string"};
@@ -170,12 +171,13 @@ Loaded<std::string> loadBuffer(const PlainJson& buffer, std::size_t index,
     return bytes;
 }
 
-Loaded<std::vector<std::string>> loadBuffers(const PlainJson& json, const Container& container,
-                                             const std::filesystem::path& file) {
+Result<std::vector<std::string>, LoadError>
+loadBuffers(const PlainJson& json, const Container& container, const std::filesystem::path& file) {
     std::vector<std::string> buffers;
     if (json.contains("buffers") && json["buffers"].is_array()) {
         for (const PlainJson& description : json["buffers"]) {
-            Loaded<std::string> buffer = loadBuffer(description, buffers.size(), container, file);
+            Result<std::string, LoadError> buffer =
+                loadBuffer(description, buffers.size(), container, file);
             if (!buffer) {
                 return buffer.error();
             }
@@ -207,39 +209,39 @@ std::string firstLine(std::string text) {
 
 } // namespace
 
-Loaded<GltfParts> openGltf(std::string_view bytes, const std::filesystem::path& file) {
+Result<GltfParts, LoadError> openGltf(std::string_view bytes, const std::filesystem::path& file) {
     const std::string name = file.string();
-    const Loaded<Container> container = openContainer(bytes, name);
+    const Result<Container, LoadError> container = openContainer(bytes, name);
     if (!container) {
         return container.error();
     }
-    const Loaded<PlainJson> json = parseJson(container->json, name);
+    const Result<PlainJson, LoadError> json = parseJson(container->json, name);
     if (!json) {
         return json.error();
     }
-    Loaded<std::vector<std::string>> buffers = loadBuffers(*json, *container, file);
+    Result<std::vector<std::string>, LoadError> buffers = loadBuffers(*json, *container, file);
     if (!buffers) {
         return buffers.error();
     }
     return GltfParts{name, std::string(container->json), std::move(*buffers)};
 }
 
-Loaded<GltfDocument> parseGltf(std::string_view bytes, const std::filesystem::path& file,
-                               GltfMotion motion) {
+Result<GltfDocument, LoadError> parseGltf(std::string_view bytes, const std::filesystem::path& file,
+                                          GltfMotion motion) {
     GltfDocument document;
     document.name = file.string();
-    const Loaded<Container> container = openContainer(bytes, document.name);
+    const Result<Container, LoadError> container = openContainer(bytes, document.name);
     if (!container) {
         return container.error();
     }
-    const Loaded<PlainJson> json = parseJson(container->json, document.name);
+    const Result<PlainJson, LoadError> json = parseJson(container->json, document.name);
     if (!json) {
         return json.error();
     }
     if (const std::optional<LoadError> error = refuseUnreadable(*json, document.name)) {
         return *error;
     }
-    Loaded<std::vector<std::string>> buffers = loadBuffers(*json, *container, file);
+    Result<std::vector<std::string>, LoadError> buffers = loadBuffers(*json, *container, file);
     if (!buffers) {
         return buffers.error();
     }

@@ -7,7 +7,7 @@
 
 #include <tiny_gltf.h>
 
-#include "content/Loaded.h"
+#include "content/LoadError.h"
 
 namespace aolib {
 
@@ -19,7 +19,7 @@ struct GltfParts {
 };
 
 /// Takes a .gltf or .glb apart. `file` as for parseGltf().
-Loaded<GltfParts> openGltf(std::string_view bytes, const std::filesystem::path& file);
+Result<GltfParts, LoadError> openGltf(std::string_view bytes, const std::filesystem::path& file);
 
 /// How much of a glTF is parsed.
 enum class GltfMotion {
@@ -36,7 +36,7 @@ struct GltfDocument {
 };
 
 /// Parses a .gltf or .glb. `file` gives the name in messages and the folder of external buffers.
-Loaded<GltfDocument> parseGltf(std::string_view bytes, const std::filesystem::path& file,
-                               GltfMotion motion = GltfMotion::LeftOut);
+Result<GltfDocument, LoadError> parseGltf(std::string_view bytes, const std::filesystem::path& file,
+                                          GltfMotion motion = GltfMotion::LeftOut);
 
 } // namespace aolib

@@ -25,7 +25,8 @@ GltfEdit::GltfEdit(GltfEdit&&) noexcept = default;
 GltfEdit& GltfEdit::operator=(GltfEdit&&) noexcept = default;
 GltfEdit::~GltfEdit() = default;
 
-Loaded<GltfEdit> GltfEdit::open(const GltfParts& parts, const std::filesystem::path& folder) {
+Result<GltfEdit, LoadError> GltfEdit::open(const GltfParts& parts,
+                                           const std::filesystem::path& folder) {
     auto content = std::make_unique<GltfContent>();
     content->name = parts.name;
     content->json = Json::parse(parts.json);
@@ -152,7 +153,7 @@ int GltfEdit::addFloats(const std::vector<float>& values, int components) {
                               {"type", types[components]}});
 }
 
-Loaded<std::string> GltfEdit::glb() const {
+Result<std::string, LoadError> GltfEdit::glb() const {
     return content_->glb();
 }
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "content/GltfDocument.h"
-#include "content/Loaded.h"
+#include "content/LoadError.h"
 
 namespace aolib {
 
@@ -23,7 +23,8 @@ struct GltfContent;
 class GltfEdit {
 public:
     /// Joins all buffers; images in files of their own are read from `folder` and packed in.
-    static Loaded<GltfEdit> open(const GltfParts& parts, const std::filesystem::path& folder);
+    static Result<GltfEdit, LoadError> open(const GltfParts& parts,
+                                            const std::filesystem::path& folder);
 
     GltfEdit(GltfEdit&&) noexcept;
     GltfEdit& operator=(GltfEdit&&) noexcept;
@@ -58,7 +59,7 @@ public:
     int addFloats(const std::vector<float>& values, int components);
 
     /// The whole as a GLB. Fails beyond 4 GiB.
-    Loaded<std::string> glb() const;
+    Result<std::string, LoadError> glb() const;
 
 private:
     explicit GltfEdit(std::unique_ptr<GltfContent> content);

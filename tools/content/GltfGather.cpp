@@ -34,7 +34,8 @@ std::size_t componentCount(const std::string& type) {
 }
 
 /// An accessor whose element i is a copy of another one's `source[i]`.
-Loaded<int> gathered(GltfContent& content, int accessor, const std::vector<std::uint32_t>& source) {
+Result<int, LoadError> gathered(GltfContent& content, int accessor,
+                                const std::vector<std::uint32_t>& source) {
     Json made = content.json.at("accessors").at(GltfContent::index(accessor));
     if (made.contains("sparse") || !made.contains("bufferView")) {
         return LoadError{content.name + ": accessor " + std::to_string(accessor) +
@@ -84,7 +85,7 @@ Loaded<int> gathered(GltfContent& content, int accessor, const std::vector<std::
 std::optional<LoadError> gatherVertices(GltfContent& content, Json& attributes,
                                         const std::vector<std::uint32_t>& source) {
     for (auto& [key, value] : attributes.items()) {
-        const Loaded<int> made = gathered(content, value.get<int>(), source);
+        const Result<int, LoadError> made = gathered(content, value.get<int>(), source);
         if (!made) {
             return made.error();
         }

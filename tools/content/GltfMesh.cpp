@@ -42,17 +42,17 @@ public:
     explicit GltfMeshReader(const GltfDocument& document)
         : document_(document), gltf_(document.structure) {}
 
-    Loaded<std::vector<ModelMesh>> read(std::size_t index) const;
+    Result<std::vector<ModelMesh>, LoadError> read(std::size_t index) const;
 
 private:
     LoadError failure(const std::string& reason) const {
         return LoadError{document_.name + ": " + reason};
     }
-    Loaded<ModelMesh> loadPrimitive(const tinygltf::Primitive& primitive,
-                                    const std::string& where) const;
-    Loaded<std::vector<std::uint32_t>> cornersOf(const tinygltf::Primitive& primitive,
-                                                 std::size_t vertexCount,
-                                                 const std::string& where) const;
+    Result<ModelMesh, LoadError> loadPrimitive(const tinygltf::Primitive& primitive,
+                                               const std::string& where) const;
+    Result<std::vector<std::uint32_t>, LoadError> cornersOf(const tinygltf::Primitive& primitive,
+                                                            std::size_t vertexCount,
+                                                            const std::string& where) const;
     std::optional<LoadError> readNormals(int accessor, ModelMesh& mesh,
                                          const std::string& where) const;
     void applyMaterial(int index, ModelMesh& mesh) const;
@@ -61,7 +61,7 @@ private:
     const tinygltf::Model& gltf_;
 };
 
-Loaded<std::vector<ModelMesh>> GltfMeshReader::read(std::size_t index) const {
+Result<std::vector<ModelMesh>, LoadError> GltfMeshReader::read(std::size_t index) const {
     std::vector<ModelMesh> parts;
     const tinygltf::Mesh& source = gltf_.meshes[index];
     for (std::size_t i = 0; i < source.primitives.size(); ++i) {
@@ -71,7 +71,7 @@ Loaded<std::vector<ModelMesh>> GltfMeshReader::read(std::size_t index) const {
         }
         const std::string where =
             "mesh " + std::to_string(index) + ", primitive " + std::to_string(i);
-        Loaded<ModelMesh> mesh = loadPrimitive(primitive, where);
+        Result<ModelMesh, LoadError> mesh = loadPrimitive(primitive, where);
         if (!mesh) {
             return mesh.error();
         }
@@ -84,10 +84,10 @@ Loaded<std::vector<ModelMesh>> GltfMeshReader::read(std::size_t index) const {
     return parts;
 }
 
-Loaded<std::vector<std::uint32_t>> GltfMeshReader::cornersOf(const tinygltf::Primitive& primitive,
-                                                             std::size_t vertexCount,
-                                                             const std::string& where) const {
-    Loaded<std::vector<std::uint32_t>> corners = std::vector<std::uint32_t>();
+Result<std::vector<std::uint32_t>, LoadError>
+GltfMeshReader::cornersOf(const tinygltf::Primitive& primitive, std::size_t vertexCount,
+                          const std::string& where) const {
+    Result<std::vector<std::uint32_t>, LoadError> corners = std::vector<std::uint32_t>();
     if (primitive.indices >= 0) {
         corners = readIndices(document_, primitive.indices);
     } else {
@@ -112,10 +112,10 @@ Loaded<std::vector<std::uint32_t>> GltfMeshReader::cornersOf(const tinygltf::Pri
     return corners;
 }
 
-Loaded<ModelMesh> GltfMeshReader::loadPrimitive(const tinygltf::Primitive& primitive,
-                                                const std::string& where) const {
+Result<ModelMesh, LoadError> GltfMeshReader::loadPrimitive(const tinygltf::Primitive& primitive,
+                                                           const std::string& where) const {
     ModelMesh mesh;
-    Loaded<std::vector<glm::vec3>> positions =
+    Result<std::vector<glm::vec3>, LoadError> positions =
         readVectors(document_, primitive.attributes.at("POSITION"));
     if (!positions) {
         return positions.error();
@@ -127,7 +127,8 @@ Loaded<ModelMesh> GltfMeshReader::loadPrimitive(const tinygltf::Primitive& primi
                            " is not finite");
         }
     }
-    Loaded<std::vector<std::uint32_t>> corners = cornersOf(primitive, mesh.positions.size(), where);
+    Result<std::vector<std::uint32_t>, LoadError> corners =
+        cornersOf(primitive, mesh.positions.size(), where);
     if (!corners) {
         return corners.error();
     }
@@ -145,7 +146,7 @@ Loaded<ModelMesh> GltfMeshReader::loadPrimitive(const tinygltf::Primitive& primi
 /// Normals of length zero are replaced by the mean of the faces about the vertex.
 std::optional<LoadError> GltfMeshReader::readNormals(int accessor, ModelMesh& mesh,
                                                      const std::string& where) const {
-    Loaded<std::vector<glm::vec3>> normals = readVectors(document_, accessor);
+    Result<std::vector<glm::vec3>, LoadError> normals = readVectors(document_, accessor);
     if (!normals) {
         return normals.error();
     }
@@ -189,7 +190,8 @@ void GltfMeshReader::applyMaterial(int index, ModelMesh& mesh) const {
 
 } // namespace
 
-Loaded<std::vector<ModelMesh>> readGltfMesh(const GltfDocument& document, std::size_t index) {
+Result<std::vector<ModelMesh>, LoadError> readGltfMesh(const GltfDocument& document,
+                                                       std::size_t index) {
     return GltfMeshReader(document).read(index);
 }
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "content/GltfDocument.h"
-#include "content/Loaded.h"
+#include "content/LoadError.h"
 #include "content/Model.h"
 #include "scene/Finite.h"
 
@@ -12,6 +12,7 @@ namespace aolib {
 
 /// The parts of one glTF mesh that hold triangles, not yet placed. Strips and fans become
 /// triangles; points and lines are left out. `index` is in range.
-Loaded<std::vector<ModelMesh>> readGltfMesh(const GltfDocument& document, std::size_t index);
+Result<std::vector<ModelMesh>, LoadError> readGltfMesh(const GltfDocument& document,
+                                                       std::size_t index);
 
 } // namespace aolib

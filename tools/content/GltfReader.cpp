@@ -21,14 +21,14 @@ public:
     explicit GltfAssembler(const GltfDocument& document)
         : document_(document), gltf_(document.structure) {}
 
-    Loaded<Model> assemble();
+    Result<Model, LoadError> assemble();
 
 private:
     LoadError failure(const std::string& reason) const {
         return LoadError{document_.name + ": " + reason};
     }
-    Loaded<std::vector<int>> rootNodes() const;
-    Loaded<glm::mat4> localTransform(const tinygltf::Node& node, int index) const;
+    Result<std::vector<int>, LoadError> rootNodes() const;
+    Result<glm::mat4, LoadError> localTransform(const tinygltf::Node& node, int index) const;
     std::optional<LoadError> visitNodes(Model& model);
     std::optional<LoadError> placeMesh(const tinygltf::Node& node, int nodeIndex,
                                        const glm::mat4& transform, Model& model);
@@ -38,7 +38,7 @@ private:
     std::vector<std::optional<std::vector<ModelMesh>>> meshes_; ///< read when first used
 };
 
-Loaded<std::vector<int>> GltfAssembler::rootNodes() const {
+Result<std::vector<int>, LoadError> GltfAssembler::rootNodes() const {
     if (!gltf_.scenes.empty()) {
         const int scene = gltf_.defaultScene < 0 ? 0 : gltf_.defaultScene;
         if (static_cast<std::size_t>(scene) >= gltf_.scenes.size()) {
@@ -63,7 +63,8 @@ Loaded<std::vector<int>> GltfAssembler::rootNodes() const {
     return roots;
 }
 
-Loaded<glm::mat4> GltfAssembler::localTransform(const tinygltf::Node& node, int index) const {
+Result<glm::mat4, LoadError> GltfAssembler::localTransform(const tinygltf::Node& node,
+                                                           int index) const {
     const LoadError badSize = failure("node " + std::to_string(index) +
                                       " has a transform with the wrong number of values");
     if (!node.matrix.empty()) {
@@ -96,7 +97,7 @@ Loaded<glm::mat4> GltfAssembler::localTransform(const tinygltf::Node& node, int 
 }
 
 std::optional<LoadError> GltfAssembler::visitNodes(Model& model) {
-    const Loaded<std::vector<int>> roots = rootNodes();
+    const Result<std::vector<int>, LoadError> roots = rootNodes();
     if (!roots) {
         return roots.error();
     }
@@ -116,7 +117,7 @@ std::optional<LoadError> GltfAssembler::visitNodes(Model& model) {
                            " is reached twice, so its scene is not a tree");
         }
         const tinygltf::Node& node = gltf_.nodes[static_cast<std::size_t>(index)];
-        const Loaded<glm::mat4> local = localTransform(node, index);
+        const Result<glm::mat4, LoadError> local = localTransform(node, index);
         if (!local) {
             return local.error();
         }
@@ -142,7 +143,7 @@ std::optional<LoadError> GltfAssembler::placeMesh(const tinygltf::Node& node, in
     }
     const auto meshIndex = static_cast<std::size_t>(node.mesh);
     if (!meshes_[meshIndex]) {
-        Loaded<std::vector<ModelMesh>> parts = readGltfMesh(document_, meshIndex);
+        Result<std::vector<ModelMesh>, LoadError> parts = readGltfMesh(document_, meshIndex);
         if (!parts) {
             return parts.error();
         }
@@ -167,7 +168,7 @@ std::optional<LoadError> GltfAssembler::placeMesh(const tinygltf::Node& node, in
     return std::nullopt;
 }
 
-Loaded<Model> GltfAssembler::assemble() {
+Result<Model, LoadError> GltfAssembler::assemble() {
     meshes_.resize(gltf_.meshes.size());
     Model model;
     if (std::optional<LoadError> error = visitNodes(model)) {
@@ -178,8 +179,8 @@ Loaded<Model> GltfAssembler::assemble() {
 
 } // namespace
 
-Loaded<Model> readGltf(std::string_view bytes, const std::filesystem::path& file) {
-    const Loaded<GltfDocument> document = parseGltf(bytes, file);
+Result<Model, LoadError> readGltf(std::string_view bytes, const std::filesystem::path& file) {
+    const Result<GltfDocument, LoadError> document = parseGltf(bytes, file);
     if (!document) {
         return document.error();
     }

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string_view>
 
-#include "content/Loaded.h"
+#include "content/LoadError.h"
 #include "content/Model.h"
 
 namespace aolib {
@@ -12,6 +12,6 @@ namespace aolib {
 /// normals and base colours; points and lines are skipped, and so are images, skins and
 /// animations. A node that is reached twice, a missing node, indices out of range and values that
 /// are not finite are errors. Where a primitive lacks normals, `ModelMesh::normals` stays empty.
-Loaded<Model> readGltf(std::string_view bytes, const std::filesystem::path& file);
+Result<Model, LoadError> readGltf(std::string_view bytes, const std::filesystem::path& file);
 
 } // namespace aolib

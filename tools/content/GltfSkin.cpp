@@ -7,7 +7,7 @@
 
 namespace aolib {
 
-Loaded<GltfSkin> readSkin(const GltfDocument& document, int skin) {
+Result<GltfSkin, LoadError> readSkin(const GltfDocument& document, int skin) {
     const auto& skins = document.structure.skins;
     const std::string where = document.name + ": skin " + std::to_string(skin);
     if (skin < 0 || static_cast<std::size_t>(skin) >= skins.size()) {
@@ -24,7 +24,7 @@ Loaded<GltfSkin> readSkin(const GltfDocument& document, int skin) {
     }
     result.fromMesh.assign(result.joints.size(), glm::mat4(1.0F));
     if (source.inverseBindMatrices >= 0) {
-        Loaded<std::vector<glm::mat4>> matrices =
+        Result<std::vector<glm::mat4>, LoadError> matrices =
             readMatrices(document, source.inverseBindMatrices);
         if (!matrices) {
             return matrices.error();
@@ -38,9 +38,9 @@ Loaded<GltfSkin> readSkin(const GltfDocument& document, int skin) {
     return result;
 }
 
-Loaded<std::vector<GltfVertexJoints>> readVertexJoints(const GltfDocument& document,
-                                                       const tinygltf::Primitive& primitive,
-                                                       std::size_t vertices, std::size_t joints) {
+Result<std::vector<GltfVertexJoints>, LoadError>
+readVertexJoints(const GltfDocument& document, const tinygltf::Primitive& primitive,
+                 std::size_t vertices, std::size_t joints) {
     std::vector<GltfVertexJoints> sets;
     for (;;) {
         const std::string number = std::to_string(sets.size());
@@ -49,11 +49,11 @@ Loaded<std::vector<GltfVertexJoints>> readVertexJoints(const GltfDocument& docum
         if (names == primitive.attributes.end() || weights == primitive.attributes.end()) {
             return sets;
         }
-        Loaded<std::vector<glm::vec4>> first = readQuads(document, names->second);
+        Result<std::vector<glm::vec4>, LoadError> first = readQuads(document, names->second);
         if (!first) {
             return first.error();
         }
-        Loaded<std::vector<glm::vec4>> second = readQuads(document, weights->second);
+        Result<std::vector<glm::vec4>, LoadError> second = readQuads(document, weights->second);
         if (!second) {
             return second.error();
         }

@@ -6,7 +6,7 @@
 #include <glm/vec4.hpp>
 
 #include "content/GltfDocument.h"
-#include "content/Loaded.h"
+#include "content/LoadError.h"
 
 namespace aolib {
 
@@ -23,12 +23,12 @@ struct GltfVertexJoints {
 };
 
 /// A skin by its number. Fails on missing nodes and matrices that do not fit.
-Loaded<GltfSkin> readSkin(const GltfDocument& document, int skin);
+Result<GltfSkin, LoadError> readSkin(const GltfDocument& document, int skin);
 
 /// Every set of joints that a primitive has (JOINTS_0, JOINTS_1, ...). Fails where numbers do not
 /// fit vertices or name none of the skin's joints.
-Loaded<std::vector<GltfVertexJoints>> readVertexJoints(const GltfDocument& document,
-                                                       const tinygltf::Primitive& primitive,
-                                                       std::size_t vertices, std::size_t joints);
+Result<std::vector<GltfVertexJoints>, LoadError>
+readVertexJoints(const GltfDocument& document, const tinygltf::Primitive& primitive,
+                 std::size_t vertices, std::size_t joints);
 
 } // namespace aolib

@@ -14,8 +14,8 @@
 
 namespace aolib {
 
-Loaded<lighting::EnvironmentMap> readHdr(std::string_view bytes,
-                                         const std::filesystem::path& file) {
+Result<lighting::EnvironmentMap, LoadError> readHdr(std::string_view bytes,
+                                                    const std::filesystem::path& file) {
     const auto* content = reinterpret_cast<const stbi_uc*>(bytes.data());
     const int size = bytes.size() > std::size_t{INT_MAX} ? 0 : static_cast<int>(bytes.size());
     if (stbi_is_hdr_from_memory(content, size) == 0) {

@@ -5,12 +5,13 @@
 
 #include <aolib/lighting/EnvironmentMap.h>
 
-#include "content/Loaded.h"
+#include "content/LoadError.h"
 
 namespace aolib {
 
 /// An environment from the bytes of a Radiance file (.hdr, .pic; RGBE). `file` names it in
 /// messages. Fails with a sentence on what is none, is cut off, or is beyond 16384 texels a side.
-Loaded<lighting::EnvironmentMap> readHdr(std::string_view bytes, const std::filesystem::path& file);
+Result<lighting::EnvironmentMap, LoadError> readHdr(std::string_view bytes,
+                                                    const std::filesystem::path& file);
 
 } // namespace aolib

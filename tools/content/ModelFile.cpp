@@ -26,7 +26,7 @@ bool isModelFile(const std::filesystem::path& file) {
     return extension == ".glb" || extension == ".gltf" || extension == ".obj";
 }
 
-Loaded<Model> readModel(std::string_view bytes, const std::filesystem::path& file) {
+Result<Model, LoadError> readModel(std::string_view bytes, const std::filesystem::path& file) {
     const std::string name = file.string();
     if (!isModelFile(file)) {
         return LoadError{name + ": not a model file (.glb, .gltf and .obj are known)"};
@@ -35,7 +35,7 @@ Loaded<Model> readModel(std::string_view bytes, const std::filesystem::path& fil
         return LoadError{name + ": the file is empty"};
     }
     try {
-        Loaded<Model> model =
+        Result<Model, LoadError> model =
             lowerExtension(file) == ".obj" ? readObj(bytes, file) : readGltf(bytes, file);
         if (model && model->triangleCount() == 0) {
             return LoadError{name + ": holds no triangles"};
@@ -49,8 +49,8 @@ Loaded<Model> readModel(std::string_view bytes, const std::filesystem::path& fil
     }
 }
 
-Loaded<Model> loadModel(const std::filesystem::path& file) {
-    const Loaded<std::string> bytes = readFileBytes(file);
+Result<Model, LoadError> loadModel(const std::filesystem::path& file) {
+    const Result<std::string, LoadError> bytes = readFileBytes(file);
     if (!bytes) {
         return bytes.error();
     }

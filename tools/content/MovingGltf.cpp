@@ -27,16 +27,17 @@ struct MovingGltf::Pose {
     }
 };
 
-Loaded<MovingGltf> MovingGltf::open(std::string_view bytes, const std::filesystem::path& file) {
-    Loaded<Model> rest = readGltf(bytes, file);
+Result<MovingGltf, LoadError> MovingGltf::open(std::string_view bytes,
+                                               const std::filesystem::path& file) {
+    Result<Model, LoadError> rest = readGltf(bytes, file);
     if (!rest) {
         return rest.error();
     }
-    Loaded<GltfDocument> document = parseGltf(bytes, file, GltfMotion::Parsed);
+    Result<GltfDocument, LoadError> document = parseGltf(bytes, file, GltfMotion::Parsed);
     if (!document) {
         return document.error();
     }
-    Loaded<std::vector<GltfAnimation>> animations = readAnimations(*document);
+    Result<std::vector<GltfAnimation>, LoadError> animations = readAnimations(*document);
     if (!animations) {
         return animations.error();
     }
@@ -74,7 +75,8 @@ std::vector<float> MovingGltf::parameters(std::size_t animation, double seconds)
     return numbers;
 }
 
-Loaded<glm::dmat4> MovingGltf::localTransform(const Pose& pose, std::size_t number) const {
+Result<glm::dmat4, LoadError> MovingGltf::localTransform(const Pose& pose,
+                                                         std::size_t number) const {
     const tinygltf::Node& node = document_.structure.nodes[number];
     const int index = static_cast<int>(number);
     const auto* moved = pose.find(index, GltfTrack::Path::Translation);
@@ -104,10 +106,10 @@ Loaded<glm::dmat4> MovingGltf::localTransform(const Pose& pose, std::size_t numb
     return result;
 }
 
-Loaded<std::vector<glm::mat4>> MovingGltf::worldTransforms(const Pose& pose) const {
+Result<std::vector<glm::mat4>, LoadError> MovingGltf::worldTransforms(const Pose& pose) const {
     std::vector<glm::dmat4> local;
     for (std::size_t i = 0; i < parents_.size(); ++i) {
-        const Loaded<glm::dmat4> transform = localTransform(pose, i);
+        const Result<glm::dmat4, LoadError> transform = localTransform(pose, i);
         if (!transform) {
             return transform.error();
         }
@@ -134,11 +136,12 @@ const tinygltf::Primitive& MovingGltf::primitiveOf(const ModelMesh& mesh) const 
         .primitives[static_cast<std::size_t>(mesh.origin.primitive)];
 }
 
-Loaded<bool> MovingGltf::morph(ModelMesh& mesh, const std::vector<double>& weights) const {
+Result<bool, LoadError> MovingGltf::morph(ModelMesh& mesh,
+                                          const std::vector<double>& weights) const {
     const tinygltf::Primitive& primitive = primitiveOf(mesh);
     const auto add = [&](int accessor, float weight,
-                         std::vector<glm::vec3>& values) -> Loaded<bool> {
-        const Loaded<std::vector<glm::vec3>> offsets = readVectors(document_, accessor);
+                         std::vector<glm::vec3>& values) -> Result<bool, LoadError> {
+        const Result<std::vector<glm::vec3>, LoadError> offsets = readVectors(document_, accessor);
         if (!offsets) {
             return offsets.error();
         }
@@ -162,7 +165,7 @@ Loaded<bool> MovingGltf::morph(ModelMesh& mesh, const std::vector<double>& weigh
             if (weight == 0.0F || values == nullptr || values->empty()) {
                 continue;
             }
-            if (Loaded<bool> added = add(accessor, weight, *values); !added) {
+            if (Result<bool, LoadError> added = add(accessor, weight, *values); !added) {
                 return added;
             }
         }
@@ -170,9 +173,10 @@ Loaded<bool> MovingGltf::morph(ModelMesh& mesh, const std::vector<double>& weigh
     return true;
 }
 
-Loaded<bool> MovingGltf::bend(ModelMesh& mesh, int number, const std::vector<glm::mat4>& world,
-                              std::vector<glm::mat3>& toWorld) const {
-    const Loaded<GltfSkin> skin = readSkin(document_, number);
+Result<bool, LoadError> MovingGltf::bend(ModelMesh& mesh, int number,
+                                         const std::vector<glm::mat4>& world,
+                                         std::vector<glm::mat3>& toWorld) const {
+    const Result<GltfSkin, LoadError> skin = readSkin(document_, number);
     if (!skin) {
         return skin.error();
     }
@@ -210,9 +214,9 @@ Loaded<bool> MovingGltf::bend(ModelMesh& mesh, int number, const std::vector<glm
     return true;
 }
 
-Loaded<ModelMesh> MovingGltf::posed(const ModelMesh& mesh, const Pose& pose,
-                                    const std::vector<glm::mat4>& world,
-                                    std::vector<glm::mat3>& toWorld) const {
+Result<ModelMesh, LoadError> MovingGltf::posed(const ModelMesh& mesh, const Pose& pose,
+                                               const std::vector<glm::mat4>& world,
+                                               std::vector<glm::mat3>& toWorld) const {
     ModelMesh result = mesh;
     const tinygltf::Node& node =
         document_.structure.nodes[static_cast<std::size_t>(mesh.origin.node)];
@@ -223,11 +227,11 @@ Loaded<ModelMesh> MovingGltf::posed(const ModelMesh& mesh, const Pose& pose,
         node.weights.empty()
             ? document_.structure.meshes[static_cast<std::size_t>(mesh.origin.mesh)].weights
             : node.weights;
-    if (Loaded<bool> done = morph(result, weights != nullptr ? *weights : own); !done) {
+    if (Result<bool, LoadError> done = morph(result, weights != nullptr ? *weights : own); !done) {
         return done.error();
     }
     if (node.skin >= 0) {
-        if (Loaded<bool> done = bend(result, node.skin, world, toWorld); !done) {
+        if (Result<bool, LoadError> done = bend(result, node.skin, world, toWorld); !done) {
             return done.error();
         }
     }
@@ -245,26 +249,27 @@ Loaded<ModelMesh> MovingGltf::posed(const ModelMesh& mesh, const Pose& pose,
     return result;
 }
 
-Loaded<Model> MovingGltf::at(std::size_t animation, double seconds) const {
-    Loaded<PosedModel> posed = posedAt(animation, seconds);
-    return posed ? Loaded<Model>(std::move(posed->model)) : posed.error();
+Result<Model, LoadError> MovingGltf::at(std::size_t animation, double seconds) const {
+    Result<PosedModel, LoadError> posed = posedAt(animation, seconds);
+    return posed ? Result<Model, LoadError>(std::move(posed->model)) : posed.error();
 }
 
-Loaded<PosedModel> MovingGltf::posedAt(std::size_t animation, double seconds) const {
+Result<PosedModel, LoadError> MovingGltf::posedAt(std::size_t animation, double seconds) const {
     Pose pose;
     if (animation < animations_.size()) {
         for (const GltfTrack& track : animations_[animation]) {
             pose.values[{track.node, track.path}] = track.at(seconds);
         }
     }
-    const Loaded<std::vector<glm::mat4>> world = worldTransforms(pose);
+    const Result<std::vector<glm::mat4>, LoadError> world = worldTransforms(pose);
     if (!world) {
         return world.error();
     }
     PosedModel result;
     result.model.name = rest_.name;
     for (const ModelMesh& mesh : rest_.meshes) {
-        Loaded<ModelMesh> moved = posed(mesh, pose, *world, result.toWorld.emplace_back());
+        Result<ModelMesh, LoadError> moved =
+            posed(mesh, pose, *world, result.toWorld.emplace_back());
         if (!moved) {
             return moved.error();
         }

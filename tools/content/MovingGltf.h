@@ -10,7 +10,7 @@
 #include "content/GltfAnimation.h"
 #include "content/GltfDocument.h"
 #include "content/GltfSkin.h"
-#include "content/Loaded.h"
+#include "content/LoadError.h"
 #include "content/Model.h"
 
 namespace aolib {
@@ -31,29 +31,30 @@ struct PosedModel {
 class MovingGltf {
 public:
     /// `file` as for readGltf().
-    static Loaded<MovingGltf> open(std::string_view bytes, const std::filesystem::path& file);
+    static Result<MovingGltf, LoadError> open(std::string_view bytes,
+                                              const std::filesystem::path& file);
 
     std::size_t animations() const { return animations_.size(); }
     /// Seconds from 0 to the last key of an animation.
     double duration(std::size_t animation) const;
     /// The model at a time of an animation: meshes, vertices and triangles in the order of
     /// readGltf(). Meshes with a skin are in world space.
-    Loaded<Model> at(std::size_t animation, double seconds) const;
-    Loaded<PosedModel> posedAt(std::size_t animation, double seconds) const;
+    Result<Model, LoadError> at(std::size_t animation, double seconds) const;
+    Result<PosedModel, LoadError> posedAt(std::size_t animation, double seconds) const;
     /// What moves, as numbers: all properties that the animation has tracks for.
     std::vector<float> parameters(std::size_t animation, double seconds) const;
 
 private:
     struct Pose;
 
-    Loaded<glm::dmat4> localTransform(const Pose& pose, std::size_t node) const;
-    Loaded<std::vector<glm::mat4>> worldTransforms(const Pose& pose) const;
-    Loaded<ModelMesh> posed(const ModelMesh& mesh, const Pose& pose,
-                            const std::vector<glm::mat4>& world,
-                            std::vector<glm::mat3>& toWorld) const;
-    Loaded<bool> morph(ModelMesh& mesh, const std::vector<double>& weights) const;
-    Loaded<bool> bend(ModelMesh& mesh, int skin, const std::vector<glm::mat4>& world,
-                      std::vector<glm::mat3>& toWorld) const;
+    Result<glm::dmat4, LoadError> localTransform(const Pose& pose, std::size_t node) const;
+    Result<std::vector<glm::mat4>, LoadError> worldTransforms(const Pose& pose) const;
+    Result<ModelMesh, LoadError> posed(const ModelMesh& mesh, const Pose& pose,
+                                       const std::vector<glm::mat4>& world,
+                                       std::vector<glm::mat3>& toWorld) const;
+    Result<bool, LoadError> morph(ModelMesh& mesh, const std::vector<double>& weights) const;
+    Result<bool, LoadError> bend(ModelMesh& mesh, int skin, const std::vector<glm::mat4>& world,
+                                 std::vector<glm::mat3>& toWorld) const;
     const tinygltf::Primitive& primitiveOf(const ModelMesh& mesh) const;
 
     GltfDocument document_;

@@ -60,7 +60,7 @@ class ObjParser {
 public:
     explicit ObjParser(const std::filesystem::path& file) : file_(file) {}
 
-    Loaded<Model> parse(std::string_view text);
+    Result<Model, LoadError> parse(std::string_view text);
 
 private:
     LoadError failure(const std::string& reason) const { return failure(reason, line_); }
@@ -83,7 +83,7 @@ private:
     std::vector<Face> faces_;
 };
 
-Loaded<Model> ObjParser::parse(std::string_view text) {
+Result<Model, LoadError> ObjParser::parse(std::string_view text) {
     while (!text.empty()) {
         std::size_t end = text.find('\n');
         ++line_;
@@ -236,7 +236,7 @@ ModelMesh ObjParser::assemble() const {
 
 } // namespace
 
-Loaded<Model> readObj(std::string_view text, const std::filesystem::path& file) {
+Result<Model, LoadError> readObj(std::string_view text, const std::filesystem::path& file) {
     return ObjParser(file).parse(text);
 }
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string_view>
 
-#include "content/Loaded.h"
+#include "content/LoadError.h"
 #include "content/Model.h"
 
 namespace aolib {
@@ -11,6 +11,6 @@ namespace aolib {
 /// Reads Wavefront OBJ text as one mesh: `v`, `vn` and `f` with every form of index, negative ones
 /// included; polygons become fans. Normals are kept when every corner has one. Texture coordinates,
 /// groups, materials, points and lines are skipped. Errors name the line.
-Loaded<Model> readObj(std::string_view text, const std::filesystem::path& file);
+Result<Model, LoadError> readObj(std::string_view text, const std::filesystem::path& file);
 
 } // namespace aolib

@@ -15,7 +15,7 @@ constexpr const char* installedBunny = "/usr/share/glmark2/models/bunny.obj";
 
 } // namespace
 
-Loaded<Model> openScene(const std::string& nameOrPath) {
+Result<Model, LoadError> openScene(const std::string& nameOrPath) {
     if (const GeneratedScene* scene = findGeneratedScene(nameOrPath)) {
         return scene->build();
     }

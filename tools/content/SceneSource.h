@@ -5,14 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "content/Loaded.h"
+#include "content/LoadError.h"
 #include "content/Model.h"
 #include "content/NamedCamera.h"
 
 namespace aolib {
 
 /// The generated scene of this name, or else the model in this file.
-Loaded<Model> openScene(const std::string& nameOrPath);
+Result<Model, LoadError> openScene(const std::string& nameOrPath);
 
 /// The views of a scene that openScene() gave: the generated scene's own, or defaultCameras().
 std::vector<NamedCamera> camerasFor(const std::string& nameOrPath, const Model& model);

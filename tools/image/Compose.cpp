@@ -30,7 +30,7 @@ void place(const ByteImage& picture, ByteImage& strip, int left) {
 
 } // namespace
 
-ImageResult<ByteImage> sideBySide(std::span<const ByteImage> pictures) {
+Result<ByteImage, ImageError> sideBySide(std::span<const ByteImage> pictures) {
     if (pictures.empty()) {
         return ImageError{"there is no picture to put side by side"};
     }

@@ -3,7 +3,7 @@
 #include <span>
 
 #include "image/Image.h"
-#include "image/ImageResult.h"
+#include "image/ImageError.h"
 
 namespace aolib {
 
@@ -14,6 +14,6 @@ inline constexpr int separatorWidth = 2;
 /// up with the separator's grey. Takes 1 to 4 channels each, mixed as they come.
 /// Errors: no picture; one without pixels, or with other channels or values than its size takes,
 /// naming its place; a strip wider than 65536 pixels.
-ImageResult<ByteImage> sideBySide(std::span<const ByteImage> pictures);
+Result<ByteImage, ImageError> sideBySide(std::span<const ByteImage> pictures);
 
 } // namespace aolib

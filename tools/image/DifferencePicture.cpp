@@ -26,8 +26,8 @@ Colour colourOf(double signedShare) {
 
 } // namespace
 
-ImageResult<ByteImage> differencePicture(const FloatImage& test, const FloatImage& reference,
-                                         float scale) {
+Result<ByteImage, ImageError> differencePicture(const FloatImage& test, const FloatImage& reference,
+                                                float scale) {
     if (const ImageOutcome error = checkPair(test, reference)) {
         return *error;
     }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "image/Image.h"
-#include "image/ImageResult.h"
+#include "image/ImageError.h"
 
 namespace aolib {
 
@@ -9,7 +9,7 @@ namespace aolib {
 /// the test is too bright, towards blue where it is too dark, mid grey where either is background.
 /// @param scale  the difference of W that is shown in full colour, above 0.
 /// Errors: those of `compareImages()` but the lack of pixels; a scale that is not above 0.
-ImageResult<ByteImage> differencePicture(const FloatImage& test, const FloatImage& reference,
-                                         float scale);
+Result<ByteImage, ImageError> differencePicture(const FloatImage& test, const FloatImage& reference,
+                                                float scale);
 
 } // namespace aolib

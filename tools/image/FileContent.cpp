@@ -34,7 +34,7 @@ fs::path temporaryName(const fs::path& file) {
 
 } // namespace
 
-ImageResult<std::vector<std::uint8_t>> readFile(const fs::path& file) {
+Result<std::vector<std::uint8_t>, ImageError> readFile(const fs::path& file) {
     std::error_code code;
     if (fs::is_directory(file, code)) {
         return failed(file, "cannot be read", "it is a folder");

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "image/Image.h"
-#include "image/ImageResult.h"
+#include "image/ImageError.h"
 
 namespace aolib {
 

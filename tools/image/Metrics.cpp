@@ -41,7 +41,7 @@ double percentile95(std::vector<double>& values) {
 
 } // namespace
 
-ImageResult<Metrics> compareImages(const FloatImage& test, const FloatImage& reference) {
+Result<Metrics, ImageError> compareImages(const FloatImage& test, const FloatImage& reference) {
     if (const ImageOutcome error = checkPair(test, reference)) {
         return *error;
     }

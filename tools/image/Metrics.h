@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "image/Image.h"
-#include "image/ImageResult.h"
+#include "image/ImageError.h"
 
 namespace aolib {
 
@@ -26,6 +26,6 @@ struct Metrics {
 /// Compares two pictures of one channel, background -1.
 /// Errors: sizes or channels that differ or fit no values; NaN or infinity, naming picture and
 /// pixel (x from the left, y from the bottom); no pixel to compare.
-ImageResult<Metrics> compareImages(const FloatImage& test, const FloatImage& reference);
+Result<Metrics, ImageError> compareImages(const FloatImage& test, const FloatImage& reference);
 
 } // namespace aolib

@@ -67,7 +67,7 @@ bool parse(std::string_view word, T& value) {
 }
 
 /// The header, or the reason why there is none.
-ImageResult<Header> parseHeader(std::string_view text) {
+Result<Header, ImageError> parseHeader(std::string_view text) {
     Header header;
     Words words(text);
     const std::string_view kind = words.next();
@@ -134,15 +134,15 @@ ImageOutcome writePfm(const std::filesystem::path& file, const FloatImage& image
     return writeFile(file, bytes);
 }
 
-ImageResult<FloatImage> readPfm(const std::filesystem::path& file) {
-    const ImageResult<std::vector<std::uint8_t>> content = readFile(file);
+Result<FloatImage, ImageError> readPfm(const std::filesystem::path& file) {
+    const Result<std::vector<std::uint8_t>, ImageError> content = readFile(file);
     if (!content) {
-        return ImageError{content.message()};
+        return ImageError{content.error().message};
     }
     const std::string_view text(reinterpret_cast<const char*>(content->data()), content->size());
-    const ImageResult<Header> header = parseHeader(text);
+    const Result<Header, ImageError> header = parseHeader(text);
     if (!header) {
-        return ImageError{file.string() + ": " + header.message()};
+        return ImageError{file.string() + ": " + header.error().message};
     }
     const std::size_t expected = std::size_t{4} * static_cast<std::size_t>(header->width) *
                                  static_cast<std::size_t>(header->height) *

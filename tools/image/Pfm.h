@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "image/Image.h"
-#include "image/ImageResult.h"
+#include "image/ImageError.h"
 
 namespace aolib {
 
@@ -17,6 +17,6 @@ ImageOutcome writePfm(const std::filesystem::path& file, const FloatImage& image
 /// left alone. NaN and infinity are read as they are.
 /// Errors: not a PFM, a malformed header, a side outside 1 to 65536, fewer or more bytes than the
 /// header promises; each names the file.
-ImageResult<FloatImage> readPfm(const std::filesystem::path& file);
+Result<FloatImage, ImageError> readPfm(const std::filesystem::path& file);
 
 } // namespace aolib

@@ -52,14 +52,14 @@ ImageOutcome writePng(const std::filesystem::path& file, const ByteImage& image)
     return writeFile(file, content);
 }
 
-ImageResult<ByteImage> readPng(const std::filesystem::path& file) {
-    const ImageResult<std::vector<std::uint8_t>> content = readFile(file);
+Result<ByteImage, ImageError> readPng(const std::filesystem::path& file) {
+    const Result<std::vector<std::uint8_t>, ImageError> content = readFile(file);
     if (!content) {
-        return ImageError{content.message()};
+        return ImageError{content.error().message};
     }
-    const ImageResult<stb::TopDownPixels> decoded = stb::decodePng(*content);
+    const Result<stb::TopDownPixels, ImageError> decoded = stb::decodePng(*content);
     if (!decoded) {
-        return ImageError{file.string() + ": not a PNG that can be read: " + decoded.message()};
+        return ImageError{file.string() + ": not a PNG that can be read: " + decoded.error().message};
     }
     ByteImage image;
     image.width = decoded->width;

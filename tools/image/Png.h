@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "image/Image.h"
-#include "image/ImageResult.h"
+#include "image/ImageError.h"
 
 namespace aolib {
 
@@ -15,6 +15,6 @@ ImageOutcome writePng(const std::filesystem::path& file, const ByteImage& image)
 
 /// Reads a PNG with the channels that it has, 1 to 4; 16 bit values lose their lower byte.
 /// Errors: not a PNG, damaged or truncated, a side above 65536; each names the file.
-ImageResult<ByteImage> readPng(const std::filesystem::path& file);
+Result<ByteImage, ImageError> readPng(const std::filesystem::path& file);
 
 } // namespace aolib

@@ -17,7 +17,7 @@
 
 namespace aolib::stb {
 
-ImageResult<TopDownPixels> decodePng(std::span<const std::uint8_t> content) {
+Result<TopDownPixels, ImageError> decodePng(std::span<const std::uint8_t> content) {
     if (content.size() > static_cast<std::size_t>(INT_MAX)) {
         return ImageError{"too large"};
     }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "image/ImageResult.h"
+#include "image/ImageError.h"
 
 namespace aolib::stb {
 
@@ -19,7 +19,7 @@ struct TopDownPixels {
 };
 
 /// The pixels of a PNG file's content, or stb's reason. 16 bit files lose their lower bytes.
-ImageResult<TopDownPixels> decodePng(std::span<const std::uint8_t> content);
+Result<TopDownPixels, ImageError> decodePng(std::span<const std::uint8_t> content);
 
 /// The bytes as zlib packs them, empty when memory runs out.
 std::vector<std::uint8_t> deflate(const std::vector<std::uint8_t>& bytes);

@@ -14,7 +14,7 @@ namespace {
 /// A generated scene as one mesh; scene 0 is the town, 1 the room.
 Mesh meshOf(std::int64_t number) {
     const char* const name = number == 0 ? "town" : "room";
-    const Loaded<bench::OpenedScene> opened =
+    const Result<bench::OpenedScene, LoadError> opened =
         bench::openBenchScene({name, bench::SceneKind::Generated, false});
     const TriangleMesh& triangles = opened->rays.mesh();
     Result<Mesh> mesh = makeMesh({triangles.positions, {}, triangles.indices});
@@ -44,7 +44,7 @@ void SceneClearance(benchmark::State& state) {
 BENCHMARK(SceneClearance)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
 
 void ShadowRays(benchmark::State& state) {
-    const Loaded<bench::OpenedScene> opened =
+    const Result<bench::OpenedScene, LoadError> opened =
         bench::openBenchScene({"town", bench::SceneKind::Generated, false});
     const glm::dvec3 eye(opened->cameras.front().eye);
     double angle = 0.0;

@@ -18,7 +18,7 @@ bool isCaseFile(const std::string& path) {
     return ending == ".json";
 }
 
-app::Outcome<app::View> openAny(const std::string& nameOrPath) {
+Result<app::View, app::Failure> openAny(const std::string& nameOrPath) {
     try {
         return isCaseFile(nameOrPath) ? app::openCaseView(nameOrPath)
                                       : app::openSceneView(nameOrPath);
@@ -31,13 +31,13 @@ app::Outcome<app::View> openAny(const std::string& nameOrPath) {
 
 void SceneLoader::open(const std::string& nameOrPath) {
     opening_ = std::async(std::launch::async, [nameOrPath, wake = wake_] {
-        app::Outcome<app::View> opened = openAny(nameOrPath);
+        Result<app::View, app::Failure> opened = openAny(nameOrPath);
         wake();
         return opened;
     });
 }
 
-std::optional<app::Outcome<app::View>> SceneLoader::take() {
+std::optional<Result<app::View, app::Failure>> SceneLoader::take() {
     if (!opening_.valid() ||
         opening_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
         return std::nullopt;

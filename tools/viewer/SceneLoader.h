@@ -19,11 +19,11 @@ public:
     void open(const std::string& nameOrPath);
     bool busy() const { return opening_.valid(); }
     /// What was opened, once.
-    std::optional<app::Outcome<app::View>> take();
+    std::optional<Result<app::View, app::Failure>> take();
 
 private:
     std::function<void()> wake_;
-    std::future<app::Outcome<app::View>> opening_;
+    std::future<Result<app::View, app::Failure>> opening_;
 };
 
 } // namespace aolib::viewer

@@ -34,7 +34,7 @@ Options inScreenSpace(Options options) {
     return options;
 }
 
-app::Outcome<std::unique_ptr<StagedScene>>
+Result<std::unique_ptr<StagedScene>, app::Failure>
 StagedScene::create(const app::GlSession& session, bench::PassTimer& timer, app::View view) {
     Result<AmbientOcclusion> ao = AmbientOcclusion::create(timer.wrap(session.loader()));
     if (!ao) {

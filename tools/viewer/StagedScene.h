@@ -20,7 +20,7 @@ namespace aolib::viewer {
 class StagedScene {
 public:
     /// @param session,timer  must outlive it. Errors: Graphics, BadInput.
-    static app::Outcome<std::unique_ptr<StagedScene>>
+    static Result<std::unique_ptr<StagedScene>, app::Failure>
     create(const app::GlSession& session, bench::PassTimer& timer, app::View view);
 
     /// Takes a camera for the frames to come. @param aspect  width by height.

@@ -30,12 +30,12 @@ double secondsSince(Clock::time_point begin) {
 
 } // namespace
 
-app::Outcome<std::unique_ptr<Viewer>> Viewer::open(ViewerSettings settings) {
+Result<std::unique_ptr<Viewer>, app::Failure> Viewer::open(ViewerSettings settings) {
     const int panel = settings.panel ? static_cast<int>(kPanelWidth) : 0;
     auto window =
         Window::open({settings.view.width + panel, settings.view.height, settings.strict});
     if (!window) {
-        return window.failure();
+        return window.error();
     }
     auto gui = Gui::create(**window);
     if (!gui) {
@@ -98,7 +98,7 @@ app::MaybeFailure Viewer::adopt(app::View view) {
     const Options options = optionsFor(view);
     auto staged = StagedScene::create(window_->session(), timer_, std::move(view));
     if (!staged) {
-        return staged.failure();
+        return staged.error();
     }
     scene_ = std::move(*staged);
     const app::View& adopted = scene_->view();
@@ -185,7 +185,7 @@ glm::ivec2 Viewer::picturePixels() const {
 void Viewer::takeScene() {
     if (auto opened = loader_.take()) {
         if (!*opened) {
-            messages_.warn(opened->failure().sentence);
+            messages_.warn(opened->error().sentence);
         } else if (const auto failure = adopt(std::move(**opened))) {
             messages_.warn(failure->sentence);
         }

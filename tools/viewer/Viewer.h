@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "app/Outcome.h"
+#include "app/Failure.h"
 #include "viewer/ComparedPicture.h"
 #include "viewer/CubeMapGizmos.h"
 #include "viewer/GizmoDrag.h"
@@ -24,7 +24,7 @@ namespace aolib::viewer {
 class Viewer {
 public:
     /// Opens the window. Errors: Graphics, BadInput (what the library rejects of the scene).
-    static app::Outcome<std::unique_ptr<Viewer>> open(ViewerSettings settings);
+    static Result<std::unique_ptr<Viewer>, app::Failure> open(ViewerSettings settings);
 
     /// Until the window is closed, or what the settings say is done. Errors: Failed (a file that
     /// could not be written), Graphics (the driver complained, where that counts).

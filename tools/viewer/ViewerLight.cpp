@@ -16,12 +16,12 @@ void Viewer::followLight() {
         return;
     }
     if (state_.environment != environmentName_) {
-        Loaded<lighting::EnvironmentMap> map = openEnvironment(state_.environment);
+        Result<lighting::EnvironmentMap, LoadError> map = openEnvironment(state_.environment);
         if (map) {
             environment_ = std::make_shared<const lighting::EnvironmentMap>(std::move(*map));
             environmentName_ = state_.environment;
         } else {
-            messages_.warn(map.sentence());
+            messages_.warn(map.error().sentence);
             state_.environment = environmentName_; // as it was
         }
         guiFrames_ = std::max(guiFrames_, 2);

@@ -27,16 +27,16 @@ std::size_t indexOf(int button) {
 
 } // namespace
 
-app::Outcome<std::unique_ptr<Window>> Window::open(const Settings& settings) {
+Result<std::unique_ptr<Window>, app::Failure> Window::open(const Settings& settings) {
     ContextRequest request;
     request.api = ContextRequest::Api::Glfw;
     request.width = settings.width;
     request.height = settings.height;
     request.visible = true;
     request.title = "aolib view";
-    app::Outcome<app::GlSession> session = app::GlSession::open(request, settings.strict);
+    Result<app::GlSession, app::Failure> session = app::GlSession::open(request, settings.strict);
     if (!session) {
-        return session.failure();
+        return session.error();
     }
     std::unique_ptr<Window> window(new Window(std::move(*session)));
     window->watch();

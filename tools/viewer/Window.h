@@ -22,7 +22,7 @@ public:
     };
 
     /// Errors: Graphics.
-    static app::Outcome<std::unique_ptr<Window>> open(const Settings& settings);
+    static Result<std::unique_ptr<Window>, app::Failure> open(const Settings& settings);
     ~Window();
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;

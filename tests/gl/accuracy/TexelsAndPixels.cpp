@@ -62,7 +62,7 @@ double texelError(const RayScene& scene, const CubeMapImage& cube, const SmallHo
 TexelsAndPixels measure(const gl::Functions& gl, const ProcAddressLoader& loader,
                         const AccuracyCase& view, Options options) {
     auto model = openScene(view.scene);
-    EXPECT_TRUE(model.ok()) << model.sentence();
+    EXPECT_TRUE(model.ok()) << model.error().sentence;
     const NamedCamera camera = camerasFor(view.scene, *model).at(view.camera);
     options.radius = view.radiusShare * model->bounds().diagonal();
     options.cubeMaps.place = false;

@@ -20,12 +20,12 @@ TEST_F(BakeCommandTest, ATextureGoesIntoTheMaterialAndIntoFiles) {
     EXPECT_EQ(json["materials"][0]["occlusionTexture"]["index"], 0);
     EXPECT_EQ(json["images"].size(), 1U);
     const auto map = readPfm(path("ao.pfm"));
-    ASSERT_TRUE(map) << map.message();
+    ASSERT_TRUE(map) << map.error().message;
     EXPECT_GT(at(*map, 0.5F, 0.97F), 0.5F) << "the sphere's upper pole";
     EXPECT_LT(at(*map, 0.5F, 0.55F), 0.1F) << "its lower pole, above the box's floor";
     EXPECT_EQ(at(*map, 0.75F, 0.1F), 1.0F) << "outside the box";
     const auto bent = readPng(path("bent.png"));
-    ASSERT_TRUE(bent) << bent.message();
+    ASSERT_TRUE(bent) << bent.error().message;
     EXPECT_EQ(bent->channels, 3);
     EXPECT_GT(bent->at(32, 62, 1), 240) << "the upper pole's points up";
 }

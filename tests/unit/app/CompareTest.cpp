@@ -43,8 +43,8 @@ TEST_F(CompareTest, WritesTheDifferenceInRed) {
     const ProgramRun compared =
         run({"compare", "test.pfm", "reference.pfm", "--difference", "d.png"});
     ASSERT_EQ(compared.exitCode, 0) << compared.err;
-    const ImageResult<ByteImage> picture = readPng(path("d.png"));
-    ASSERT_TRUE(picture.ok()) << picture.message();
+    const Result<ByteImage, ImageError> picture = readPng(path("d.png"));
+    ASSERT_TRUE(picture.ok()) << picture.error().message;
     EXPECT_EQ(picture->at(0, 0, 0), 255); // too bright by the whole scale: red
     EXPECT_EQ(picture->at(0, 0, 2), 0);
     EXPECT_EQ(picture->at(1, 0, 2), 255); // equal: white

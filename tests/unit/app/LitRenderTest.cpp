@@ -31,7 +31,7 @@ TEST_F(LitRenderTest, APictureIsLitTracedAndCompared) {
     EXPECT_NE(done.out.find("RMSE against 64 rays"), std::string::npos) << done.out;
     EXPECT_EQ(names(), (std::vector<std::string>{"lit.pfm", "truth.png"}));
     const auto picture = readPfm(path("lit.pfm"));
-    ASSERT_TRUE(picture) << picture.message();
+    ASSERT_TRUE(picture) << picture.error().message;
     EXPECT_EQ(picture->channels, 3);
     // Radiance of the sky itself: up to 1 at the zenith.
     const auto [least, most] = std::minmax_element(picture->pixels.begin(), picture->pixels.end());

@@ -148,8 +148,8 @@ TEST_F(RenderGLTest, RenderAndTruthSeeTheSameSurfaces) {
     const ProgramRun compared = run({"compare", "w.pfm", "t.pfm", "--json"});
     ASSERT_EQ(compared.exitCode, 0) << compared.err;
     // Edges may go either way in a few pixels; a flipped or shifted picture is off by hundreds.
-    const ImageResult<FloatImage> w = readPfm(path("w.pfm"));
-    const ImageResult<FloatImage> t = readPfm(path("t.pfm"));
+    const Result<FloatImage, ImageError> w = readPfm(path("w.pfm"));
+    const Result<FloatImage, ImageError> t = readPfm(path("t.pfm"));
     ASSERT_TRUE(w.ok() && t.ok());
     int differing = 0;
     int background = 0;
@@ -211,8 +211,8 @@ TEST_F(RenderGLTest, OutWritesEverythingAndNothingIsLeftOver) {
     EXPECT_EQ(names(), expected);
     for (const std::string& name : expected) {
         if (name.size() > 4 && name.substr(name.size() - 4) == ".png") {
-            const ImageResult<ByteImage> picture = readPng(path(name));
-            ASSERT_TRUE(picture.ok()) << picture.message();
+            const Result<ByteImage, ImageError> picture = readPng(path(name));
+            ASSERT_TRUE(picture.ok()) << picture.error().message;
             EXPECT_EQ(picture->width, 96);
             EXPECT_EQ(picture->height, 54);
         }
@@ -223,8 +223,8 @@ TEST_F(RenderGLTest, CompositeIsDarkerThanTheColourAndContrastSaysHowMuch) {
     expectSuccess(joined({"render", "room", "-o", "full"}, kSmall));
     expectSuccess(joined({"render", "room", "-o", "none", "--contrast", "0"}, kSmall));
     const auto sum = [&](const char* file) {
-        const ImageResult<ByteImage> picture = readPng(path(file));
-        EXPECT_TRUE(picture.ok()) << picture.message();
+        const Result<ByteImage, ImageError> picture = readPng(path(file));
+        EXPECT_TRUE(picture.ok()) << picture.error().message;
         double total = 0.0;
         for (const std::uint8_t value : picture->pixels) {
             total += value;

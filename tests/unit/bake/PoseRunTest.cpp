@@ -7,10 +7,10 @@ namespace aolib::bench {
 namespace {
 
 TEST(PoseRunTest, MorePosesComeNearerAndBothBeatTheModelAtRest) {
-    const Loaded<std::string> bytes = animatedModel("bellows");
-    ASSERT_TRUE(bytes) << bytes.sentence();
-    const Loaded<MovingGltf> moving = MovingGltf::open(*bytes, "bellows.glb");
-    ASSERT_TRUE(moving) << moving.sentence();
+    const Result<std::string, LoadError> bytes = animatedModel("bellows");
+    ASSERT_TRUE(bytes) << bytes.error().sentence;
+    const Result<MovingGltf, LoadError> moving = MovingGltf::open(*bytes, "bellows.glb");
+    ASSERT_TRUE(moving) << moving.error().sentence;
     PosePlan plan;
     plan.name = "bellows";
     plan.model = &*moving;

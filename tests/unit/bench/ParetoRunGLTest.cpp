@@ -53,7 +53,7 @@ protected:
         };
     }
 
-    Loaded<std::vector<ParetoRow>> run() {
+    Result<std::vector<ParetoRow>, LoadError> run() {
         return runPareto(*gl_, context_->loader(), settings_, reports_);
     }
 
@@ -77,7 +77,7 @@ TEST_F(ParetoRunGL, MeasuresEveryKindOfMethod) {
         {"surfels", "surfels", Family::SurfaceElements, SurfaceElementsMethod{2000}, true}};
     settings_.patience.passes = true;
     const auto rows = run();
-    ASSERT_TRUE(rows) << rows.sentence();
+    ASSERT_TRUE(rows) << rows.error().sentence;
     ASSERT_EQ(rows->size(), 10U);
     EXPECT_EQ(casesDone_, 2);
     EXPECT_TRUE(warnings_.empty()) << warnings_.front();
@@ -122,7 +122,7 @@ TEST_F(ParetoRunGL, LeavesOutWhatIsAbsent) {
                        {{"plane", SceneKind::Generated, false}, 0, 0.1}};
     settings_.methods = {{"rays", "rays", Family::FewRays, FewRaysMethod{1}, true}};
     const auto rows = run();
-    ASSERT_TRUE(rows) << rows.sentence();
+    ASSERT_TRUE(rows) << rows.error().sentence;
     EXPECT_EQ(rows->size(), 1U);
     ASSERT_EQ(warnings_.size(), 2U);
     EXPECT_NE(warnings_[0].find("no_such_model"), std::string::npos);
@@ -141,7 +141,7 @@ TEST_F(ParetoRunGL, KeepsGoingWhenAMethodFails) {
                          {"rays", "rays", Family::FewRays, FewRaysMethod{4}, true}};
     std::get<FacadeMethod>(settings_.methods[0].how).options.horizonSplit.directions = 9999;
     const auto rows = run();
-    ASSERT_TRUE(rows) << rows.sentence();
+    ASSERT_TRUE(rows) << rows.error().sentence;
     ASSERT_EQ(rows->size(), 2U);
     EXPECT_NE((*rows)[0].measured.failure, "");
     EXPECT_EQ((*rows)[1].measured.failure, "");
@@ -154,7 +154,7 @@ TEST_F(ParetoRunGL, StopsWhenResultsCannotBeKept) {
     reports_.caseDone = [](const std::vector<ParetoRow>&) { return "the disk is full"; };
     const auto rows = run();
     ASSERT_FALSE(rows);
-    EXPECT_EQ(rows.sentence(), "the disk is full");
+    EXPECT_EQ(rows.error().sentence, "the disk is full");
 }
 
 } // namespace

@@ -102,8 +102,8 @@ TEST(PlotFiles, WritesBothKinds) {
     const std::filesystem::path stem = test::freshFolder() / "some.plot";
     EXPECT_EQ(writePlot(samplePlot(), stem), "");
     EXPECT_TRUE(std::filesystem::exists(stem.string() + ".svg"));
-    const ImageResult<ByteImage> png = readPng(stem.string() + ".png");
-    ASSERT_TRUE(png) << png.message();
+    const Result<ByteImage, ImageError> png = readPng(stem.string() + ".png");
+    ASSERT_TRUE(png) << png.error().message;
     EXPECT_GT(png->width, 1000);
 }
 

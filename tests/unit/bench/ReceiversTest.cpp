@@ -32,8 +32,9 @@ TEST(Lattice, FollowsItsSeed) {
 }
 
 TEST(Receivers, LieOnTheSurfaceAndFaceTheEyeOnEitherSide) {
-    const Loaded<OpenedScene> scene = openBenchScene({"plane", SceneKind::Generated, false});
-    ASSERT_TRUE(scene) << scene.sentence();
+    const Result<OpenedScene, LoadError> scene =
+        openBenchScene({"plane", SceneKind::Generated, false});
+    ASSERT_TRUE(scene) << scene.error().sentence;
     const float height = scene->model.bounds().max.y;
     for (const float side : {1.0F, -1.0F}) {
         NamedCamera camera = scene->cameras.front();
@@ -67,8 +68,9 @@ std::vector<float> depthsBeside(const OpenedScene& scene, const NamedCamera& cam
 }
 
 TEST(Receivers, FollowWhatWasDrawnAHairBesideTheirRay) {
-    const Loaded<OpenedScene> scene = openBenchScene({"room", SceneKind::Generated, false});
-    ASSERT_TRUE(scene) << scene.sentence();
+    const Result<OpenedScene, LoadError> scene =
+        openBenchScene({"room", SceneKind::Generated, false});
+    ASSERT_TRUE(scene) << scene.error().sentence;
     const NamedCamera& camera = scene->cameras.front();
     constexpr PictureSize size{480, 270};
     const Receivers seen = findReceivers(scene->rays, camera, size, allPixels(size));
@@ -98,8 +100,9 @@ TEST(Receivers, FollowWhatWasDrawnAHairBesideTheirRay) {
 }
 
 TEST(CubeMapPositions, BeginAtTheEyeAndStayInFreeSpace) {
-    const Loaded<OpenedScene> scene = openBenchScene({"room", SceneKind::Generated, false});
-    ASSERT_TRUE(scene) << scene.sentence();
+    const Result<OpenedScene, LoadError> scene =
+        openBenchScene({"room", SceneKind::Generated, false});
+    ASSERT_TRUE(scene) << scene.error().sentence;
     const NamedCamera& camera = scene->cameras.front();
     const std::vector<glm::vec3> positions = cubeMapPositions(*scene, camera, kSize, 20);
     ASSERT_EQ(positions.size(), 20U);

@@ -25,7 +25,8 @@ float below(const SurfaceElements& elements, const OpenedScene& scene, const glm
 }
 
 TEST(SurfaceElements, LeaveALonePlaneOpen) {
-    const Loaded<OpenedScene> scene = openBenchScene({"plane", SceneKind::Generated, false});
+    const Result<OpenedScene, LoadError> scene =
+        openBenchScene({"plane", SceneKind::Generated, false});
     ASSERT_TRUE(scene);
     const SurfaceElements elements = computed(*scene, 0.1 * scene->diagonal);
     EXPECT_GT(elements.count(), 1000U);
@@ -34,7 +35,8 @@ TEST(SurfaceElements, LeaveALonePlaneOpen) {
 
 /// The closed form is matched within what discs in place of a quad cost: a tenth.
 TEST(SurfaceElements, DarkenAFloorBelowADisc) {
-    const Loaded<OpenedScene> scene = openBenchScene({"disc", SceneKind::Generated, false});
+    const Result<OpenedScene, LoadError> scene =
+        openBenchScene({"disc", SceneKind::Generated, false});
     ASSERT_TRUE(scene);
     const SurfaceElements elements = computed(*scene, 10.0);
     EXPECT_NEAR(below(elements, *scene, {0.0, 0.5, 0.0}), 0.5F, 0.1F);
@@ -42,14 +44,15 @@ TEST(SurfaceElements, DarkenAFloorBelowADisc) {
 }
 
 TEST(SurfaceElements, DoNotReachBeyondTheRadius) {
-    const Loaded<OpenedScene> scene = openBenchScene({"disc", SceneKind::Generated, false});
+    const Result<OpenedScene, LoadError> scene =
+        openBenchScene({"disc", SceneKind::Generated, false});
     ASSERT_TRUE(scene);
     const SurfaceElements elements = computed(*scene, 0.9); // the disc lies at a height of 1
     EXPECT_NEAR(below(elements, *scene, {0.0, 0.5, 0.0}), 1.0F, 1e-4F);
 }
 
 TEST(SurfaceElements, CloseASphereFromInside) {
-    const Loaded<OpenedScene> scene =
+    const Result<OpenedScene, LoadError> scene =
         openBenchScene({"sphere-inside", SceneKind::Generated, false});
     ASSERT_TRUE(scene);
     const SurfaceElements elements = computed(*scene, 2.0 * scene->diagonal);

@@ -51,7 +51,7 @@ TEST(ThesisRunGL, MeasuresTimesAndMemory) {
         return reason.empty() ? writeThesisPlots(settings, rows) : reason;
     };
     const auto rows = runThesis(*gl, (*context)->loader(), settings, reports);
-    ASSERT_TRUE(rows) << rows.sentence();
+    ASSERT_TRUE(rows) << rows.error().sentence;
     EXPECT_EQ(warnings, 1);
     ASSERT_EQ(rows->size(), 4U);
     for (const ThesisRow& row : *rows) {

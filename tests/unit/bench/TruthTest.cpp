@@ -49,12 +49,13 @@ protected:
     TruthOfACase() { settings_.size = {48, 27}, settings_.rays = 64; }
 
     Truth traced(const std::filesystem::path& cache = {}) const {
-        Loaded<Truth> truth = traceTruth(*scene_, which_, settings_, cache);
-        EXPECT_TRUE(truth) << truth.sentence();
+        Result<Truth, LoadError> truth = traceTruth(*scene_, which_, settings_, cache);
+        EXPECT_TRUE(truth) << truth.error().sentence;
         return std::move(*truth);
     }
 
-    Loaded<OpenedScene> scene_ = openBenchScene({"cornell", SceneKind::Generated, false});
+    Result<OpenedScene, LoadError> scene_ =
+        openBenchScene({"cornell", SceneKind::Generated, false});
     BenchCase which_{{"cornell", SceneKind::Generated, false}, 0, 0.1};
     TruthSettings settings_;
 };
@@ -98,8 +99,10 @@ TEST_F(TruthOfACase, HasAKeyOfEverythingItDependsOn) {
 }
 
 TEST(OpenBenchScene, AddsTheGroundButNotToTheSize) {
-    const Loaded<OpenedScene> without = openBenchScene({"cornell", SceneKind::Generated, false});
-    const Loaded<OpenedScene> with = openBenchScene({"cornell", SceneKind::Generated, true});
+    const Result<OpenedScene, LoadError> without =
+        openBenchScene({"cornell", SceneKind::Generated, false});
+    const Result<OpenedScene, LoadError> with =
+        openBenchScene({"cornell", SceneKind::Generated, true});
     ASSERT_TRUE(without && with);
     EXPECT_DOUBLE_EQ(without->diagonal, with->diagonal);
     EXPECT_EQ(without->model.triangleCount() + 2, with->model.triangleCount());
@@ -107,10 +110,11 @@ TEST(OpenBenchScene, AddsTheGroundButNotToTheSize) {
 }
 
 TEST(OpenBenchScene, NamesTheMissingModel) {
-    const Loaded<OpenedScene> scene = openBenchScene({"no_such_model", SceneKind::Model, false});
+    const Result<OpenedScene, LoadError> scene =
+        openBenchScene({"no_such_model", SceneKind::Model, false});
     ASSERT_FALSE(scene);
-    EXPECT_NE(scene.sentence().find("no_such_model"), std::string::npos);
-    EXPECT_NE(scene.sentence().find("AOLIB_MODELS_DIR"), std::string::npos);
+    EXPECT_NE(scene.error().sentence.find("no_such_model"), std::string::npos);
+    EXPECT_NE(scene.error().sentence.find("AOLIB_MODELS_DIR"), std::string::npos);
 }
 
 } // namespace

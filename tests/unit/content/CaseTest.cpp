@@ -20,15 +20,15 @@ const std::string caseText =
     "normals":"given","ground":-1.0})";
 
 void expectCaseRefused(const std::string& json, const std::string& reason) {
-    const Loaded<Case> scene = parseCase(json, "cases/c.json");
+    const Result<Case, LoadError> scene = parseCase(json, "cases/c.json");
     ASSERT_FALSE(scene.ok()) << json;
-    EXPECT_EQ(scene.sentence().find("cases/c.json: "), 0U) << scene.sentence();
-    EXPECT_NE(scene.sentence().find(reason), std::string::npos) << scene.sentence();
+    EXPECT_EQ(scene.error().sentence.find("cases/c.json: "), 0U) << scene.error().sentence;
+    EXPECT_NE(scene.error().sentence.find(reason), std::string::npos) << scene.error().sentence;
 }
 
 TEST(CaseTest, ReadsEveryKey) {
-    const Loaded<Case> scene = parseCase(caseText, "cases/c.json");
-    ASSERT_TRUE(scene.ok()) << scene.sentence();
+    const Result<Case, LoadError> scene = parseCase(caseText, "cases/c.json");
+    ASSERT_TRUE(scene.ok()) << scene.error().sentence;
     EXPECT_EQ(scene->mesh, "bunny.obj");
     EXPECT_EQ(scene->eye, glm::vec3(0.1F, 1.5F, 3.0F));
     EXPECT_EQ(scene->target, glm::vec3(0.0F, 0.25F, 0.0F));
@@ -46,8 +46,9 @@ TEST(CaseTest, ReadsEveryKey) {
 }
 
 TEST(CaseTest, GroundMayBeLeftOut) {
-    const Loaded<Case> scene = parseCase(replaced(caseText, R"(,"ground":-1.0)", ""), "c.json");
-    ASSERT_TRUE(scene.ok()) << scene.sentence();
+    const Result<Case, LoadError> scene =
+        parseCase(replaced(caseText, R"(,"ground":-1.0)", ""), "c.json");
+    ASSERT_TRUE(scene.ok()) << scene.error().sentence;
     EXPECT_FALSE(scene->ground.has_value());
 }
 
@@ -57,8 +58,8 @@ TEST(CaseTest, WritingAndReadingGivesTheSame) {
     for (const Falloff falloff : {Falloff::Step, Falloff::Exp, Falloff::Off}) {
         scene.falloff = falloff;
         const std::string written = writeCase(scene);
-        const Loaded<Case> again = parseCase(written, "cases/c.json");
-        ASSERT_TRUE(again.ok()) << again.sentence();
+        const Result<Case, LoadError> again = parseCase(written, "cases/c.json");
+        ASSERT_TRUE(again.ok()) << again.error().sentence;
         EXPECT_EQ(again->mesh, scene.mesh);
         EXPECT_EQ(again->eye, scene.eye);
         EXPECT_EQ(again->target, scene.target);
@@ -81,12 +82,13 @@ TEST(CaseTest, NamesMissingKeys) {
     for (const char* key : {"mesh", "eye", "target", "up", "fovy_deg", "near", "far", "width",
                             "height", "radius", "falloff", "normals"}) {
         const std::string quoted = std::string("\"") + key + "\"";
-        const Loaded<Case> scene = parseCase(
+        const Result<Case, LoadError> scene = parseCase(
             replaced(replaced(caseText, quoted, "\"ground\""), "\"ground\":-1.0", "\"ground\":0"),
             "c.json");
         ASSERT_FALSE(scene.ok()) << key;
-        EXPECT_NE(scene.sentence().find("'" + std::string(key) + "' is missing"), std::string::npos)
-            << scene.sentence();
+        EXPECT_NE(scene.error().sentence.find("'" + std::string(key) + "' is missing"),
+                  std::string::npos)
+            << scene.error().sentence;
     }
 }
 
@@ -135,8 +137,8 @@ TEST(CaseTest, ChecksRanges) {
 
 TEST(CaseTest, LoadsItsSceneWithItsGround) {
     Case scene = *parseCase(replaced(caseText, "bunny.obj", "cornell"), "cases/c.json");
-    const Loaded<Model> model = loadCaseModel(scene);
-    ASSERT_TRUE(model.ok()) << model.sentence();
+    const Result<Model, LoadError> model = loadCaseModel(scene);
+    ASSERT_TRUE(model.ok()) << model.error().sentence;
     ASSERT_EQ(model->triangleCount(), 36U);
     const ModelMesh& ground = model->meshes.back();
     EXPECT_EQ(ground.name, "ground");
@@ -156,13 +158,13 @@ TEST(CaseTest, FindsItsMeshBesideItself) {
     std::filesystem::create_directories(folder);
     std::ofstream(folder / "one.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
     std::ofstream(folder / "one.json") << replaced(caseText, "bunny.obj", "one.obj");
-    const Loaded<Case> scene = readCase(folder / "one.json");
-    ASSERT_TRUE(scene.ok()) << scene.sentence();
-    const Loaded<Model> model = loadCaseModel(*scene);
-    ASSERT_TRUE(model.ok()) << model.sentence();
+    const Result<Case, LoadError> scene = readCase(folder / "one.json");
+    ASSERT_TRUE(scene.ok()) << scene.error().sentence;
+    const Result<Model, LoadError> model = loadCaseModel(*scene);
+    ASSERT_TRUE(model.ok()) << model.error().sentence;
     EXPECT_EQ(model->triangleCount(), 3U);
     EXPECT_TRUE(model->flattened().normals.empty()); // the ground adds none of its own
-    EXPECT_NE(readCase(folder / "gone.json").sentence().find("gone.json"), std::string::npos);
+    EXPECT_NE(readCase(folder / "gone.json").error().sentence.find("gone.json"), std::string::npos);
 }
 
 TEST(CaseTest, GivesItsCamera) {

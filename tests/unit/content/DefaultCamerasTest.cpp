@@ -60,8 +60,8 @@ TEST(DefaultCamerasTest, KnownModelsAreSeenFromFreeSpace) {
         GTEST_SKIP() << "NOT TESTED: no models; set AOLIB_MODELS_DIR";
     }
     for (const std::filesystem::path& file : files) {
-        const Loaded<Model> model = loadModel(file);
-        ASSERT_TRUE(model.ok()) << model.sentence();
+        const Result<Model, LoadError> model = loadModel(file);
+        ASSERT_TRUE(model.ok()) << model.error().sentence;
         const TriangleMesh mesh = model->flattened();
         const std::vector<NamedCamera> cameras = camerasFor(file.string(), *model);
         ASSERT_EQ(cameras.size(), 2U);

@@ -31,7 +31,7 @@ std::string smallHdr() {
 
 TEST(HdrReaderTest, RowsAreTurnedOverAndExponentsRead) {
     const auto map = readHdr(smallHdr(), "small.hdr");
-    ASSERT_TRUE(map) << map.sentence();
+    ASSERT_TRUE(map) << map.error().sentence;
     ASSERT_EQ(map->width, 3);
     ASSERT_EQ(map->height, 2);
     EXPECT_EQ(map->radiance[3], glm::vec3(1, 0, 0)) << "the upper row comes last";
@@ -44,7 +44,7 @@ TEST(HdrReaderTest, RowsAreTurnedOverAndExponentsRead) {
 
 TEST(HdrReaderTest, WhatIsNoneOrCutOffIsRefusedByName) {
     const std::string good = smallHdr();
-    EXPECT_NE(readHdr("\x89PNG", "a.hdr").sentence().find("a.hdr"), std::string::npos);
+    EXPECT_NE(readHdr("\x89PNG", "a.hdr").error().sentence.find("a.hdr"), std::string::npos);
     EXPECT_FALSE(readHdr("", "a.hdr"));
     EXPECT_FALSE(readHdr("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 99999 +X 99999\n", "a.hdr"));
     EXPECT_FALSE(readHdr("#?RADIANCE\nFORMAT=xyz\n\n-Y 2 +X 3\n", "a.hdr"));
@@ -59,10 +59,11 @@ TEST(EnvironmentSourceTest, NamesAndFilesAreFound) {
     const std::filesystem::path file = folder / "small.hdr";
     std::ofstream(file, std::ios::binary) << smallHdr();
     const auto read = openEnvironment(file.string());
-    ASSERT_TRUE(read) << read.sentence();
+    ASSERT_TRUE(read) << read.error().sentence;
     EXPECT_EQ(read->width, 3);
-    EXPECT_NE(openEnvironment("nonsense").sentence().find("sunny"), std::string::npos);
-    EXPECT_NE(openEnvironment("missing.hdr").sentence().find("missing.hdr"), std::string::npos);
+    EXPECT_NE(openEnvironment("nonsense").error().sentence.find("sunny"), std::string::npos);
+    EXPECT_NE(openEnvironment("missing.hdr").error().sentence.find("missing.hdr"),
+              std::string::npos);
 }
 
 TEST(EnvironmentSourceTest, GeneratedOnesAreGood) {

@@ -24,10 +24,10 @@ const char* const kExtra = R"(,"materials":[{"name":"paint","pbrMetallicRoughnes
     "extensions":{"VENDOR_unknown":{"deep":[1,{"er":null}]}},"animations":[],"extras":"kept")";
 
 GltfEdit editOf(const std::string& bytes, const std::filesystem::path& file = "quad.glb") {
-    const Loaded<GltfParts> parts = openGltf(bytes, file);
-    EXPECT_TRUE(parts.ok()) << parts.sentence();
-    Loaded<GltfEdit> edit = GltfEdit::open(*parts, file.parent_path());
-    EXPECT_TRUE(edit.ok()) << edit.sentence();
+    const Result<GltfParts, LoadError> parts = openGltf(bytes, file);
+    EXPECT_TRUE(parts.ok()) << parts.error().sentence;
+    Result<GltfEdit, LoadError> edit = GltfEdit::open(*parts, file.parent_path());
+    EXPECT_TRUE(edit.ok()) << edit.error().sentence;
     return std::move(*edit);
 }
 
@@ -37,8 +37,8 @@ struct Opened {
     std::string binary;
 
     explicit Opened(const GltfEdit& edit) {
-        const Loaded<std::string> glb = edit.glb();
-        EXPECT_TRUE(glb.ok()) << glb.sentence();
+        const Result<std::string, LoadError> glb = edit.glb();
+        EXPECT_TRUE(glb.ok()) << glb.error().sentence;
         std::uint32_t length = 0;
         std::memcpy(&length, &(*glb)[12], 4);
         json = Json::parse(glb->substr(20, length));
@@ -139,18 +139,19 @@ TEST(GltfEditTest, ImagesInFilesArePackedIn) {
     EXPECT_EQ(image["mimeType"], "image/png");
     EXPECT_EQ(after.view(image["bufferView"]), "\x89PNG and so on");
     std::filesystem::remove_all(folder);
-    const Loaded<GltfParts> parts = openGltf(quadGlb(R"([{"mesh":0}])", extra), "quad.gltf");
+    const Result<GltfParts, LoadError> parts =
+        openGltf(quadGlb(R"([{"mesh":0}])", extra), "quad.gltf");
     ASSERT_TRUE(parts.ok());
-    EXPECT_NE(GltfEdit::open(*parts, folder).sentence().find("a b.png"), std::string::npos);
+    EXPECT_NE(GltfEdit::open(*parts, folder).error().sentence.find("a b.png"), std::string::npos);
 }
 
 TEST(GltfEditTest, GeneratedShapesAndModelsBecomeGltf) {
     const UvMesh shape = uvShape("uv-box");
-    Loaded<GltfEdit> edit = GltfEdit::open(gltfOf(shape, "uv-box"), {});
-    ASSERT_TRUE(edit.ok()) << edit.sentence();
+    Result<GltfEdit, LoadError> edit = GltfEdit::open(gltfOf(shape, "uv-box"), {});
+    ASSERT_TRUE(edit.ok()) << edit.error().sentence;
     EXPECT_EQ(edit->uvSets(0, 0), 1);
-    const Loaded<Model> read = readGltf(*edit->glb(), "box.glb");
-    ASSERT_TRUE(read.ok()) << read.sentence();
+    const Result<Model, LoadError> read = readGltf(*edit->glb(), "box.glb");
+    ASSERT_TRUE(read.ok()) << read.error().sentence;
     EXPECT_EQ(read->meshes[0].positions, shape.positions);
     EXPECT_EQ(read->meshes[0].indices, shape.indices);
     EXPECT_EQ(read->meshes[0].origin.material, 0);

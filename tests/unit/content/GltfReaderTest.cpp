@@ -17,17 +17,17 @@ using test::quadGlb;
 using test::quadJson;
 using test::replaced;
 
-Loaded<Model> readGlb(const std::string& glb) {
+Result<Model, LoadError> readGlb(const std::string& glb) {
     return readModel(glb, "some/quad.glb");
 }
 
 /// Expects a refusal whose sentence names the file and holds `reason`.
 void expectGlbRefused(const std::string& glb, const std::string& reason) {
-    const Loaded<Model> model = readGlb(glb);
+    const Result<Model, LoadError> model = readGlb(glb);
     ASSERT_FALSE(model.ok()) << "expected: " << reason;
-    EXPECT_NE(model.sentence().find("quad.glb"), std::string::npos) << model.sentence();
-    EXPECT_NE(model.sentence().find(reason), std::string::npos) << model.sentence();
-    EXPECT_EQ(model.sentence().find('\n'), std::string::npos) << model.sentence();
+    EXPECT_NE(model.error().sentence.find("quad.glb"), std::string::npos) << model.error().sentence;
+    EXPECT_NE(model.error().sentence.find(reason), std::string::npos) << model.error().sentence;
+    EXPECT_EQ(model.error().sentence.find('\n'), std::string::npos) << model.error().sentence;
 }
 
 std::string changedJson(const std::string& from, const std::string& to) {
@@ -35,8 +35,8 @@ std::string changedJson(const std::string& from, const std::string& to) {
 }
 
 TEST(GltfReaderTest, ReadsTrianglesNormalsAndName) {
-    const Loaded<Model> model = readGlb(quadGlb());
-    ASSERT_TRUE(model.ok()) << model.sentence();
+    const Result<Model, LoadError> model = readGlb(quadGlb());
+    ASSERT_TRUE(model.ok()) << model.error().sentence;
     EXPECT_EQ(model->name, "quad");
     ASSERT_EQ(model->meshes.size(), 1U);
     EXPECT_EQ(model->meshes[0].positions[2], glm::vec3(1, 1, 0));
@@ -49,17 +49,17 @@ TEST(GltfReaderTest, ReadsBaseColourAndDoubleSided) {
         quadJson(R"([{"mesh":0}])", R"(,"materials":[{"doubleSided":true,"pbrMetallicRoughness":
             {"baseColorFactor":[0.25,0.5,0.75,1]}}])"),
         R"("indices":2)", R"("indices":2,"material":0)");
-    const Loaded<Model> model = readGlb(packGlb(json, quadBytes()));
-    ASSERT_TRUE(model.ok()) << model.sentence();
+    const Result<Model, LoadError> model = readGlb(packGlb(json, quadBytes()));
+    ASSERT_TRUE(model.ok()) << model.error().sentence;
     EXPECT_EQ(model->meshes[0].baseColour, glm::vec4(0.25F, 0.5F, 0.75F, 1.0F));
     EXPECT_TRUE(model->meshes[0].doubleSided);
 }
 
 TEST(GltfReaderTest, ComposesTransformsDownTheTree) {
-    const Loaded<Model> model =
+    const Result<Model, LoadError> model =
         readGlb(quadGlb(R"([{"children":[1],"translation":[10,0,0],"scale":[2,2,2]},
                          {"mesh":0,"rotation":[0,0,0.70710678,0.70710678],"translation":[0,3,0]}])"));
-    ASSERT_TRUE(model.ok()) << model.sentence();
+    ASSERT_TRUE(model.ok()) << model.error().sentence;
     const Bounds bounds = model->bounds(); // the quad turned by 90 degrees about z, then moved
     EXPECT_NEAR(bounds.min.x, 8.0F, 1e-5F);
     EXPECT_NEAR(bounds.max.x, 10.0F, 1e-5F);
@@ -68,21 +68,22 @@ TEST(GltfReaderTest, ComposesTransformsDownTheTree) {
 }
 
 TEST(GltfReaderTest, TakesMatricesAndInstancesOfOneMesh) {
-    const Loaded<Model> model = readGlb(quadGlb(R"([{"children":[1,2]},{"mesh":0},
+    const Result<Model, LoadError> model = readGlb(quadGlb(R"([{"children":[1,2]},{"mesh":0},
                     {"mesh":0,"matrix":[1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,5,1]}])"));
-    ASSERT_TRUE(model.ok()) << model.sentence();
+    ASSERT_TRUE(model.ok()) << model.error().sentence;
     EXPECT_EQ(model->triangleCount(), 4U);
     EXPECT_EQ(model->bounds().max.z, 5.0F);
 }
 
 TEST(GltfReaderTest, StripsAndFansKeepTheirFacing) {
     // Over the corners 0 1 2 0 2 3 a strip turns its second triangle round.
-    const Loaded<Model> strip = readGlb(changedJson(R"("indices":2)", R"("indices":2,"mode":5)"));
-    ASSERT_TRUE(strip.ok()) << strip.sentence();
+    const Result<Model, LoadError> strip =
+        readGlb(changedJson(R"("indices":2)", R"("indices":2,"mode":5)"));
+    ASSERT_TRUE(strip.ok()) << strip.error().sentence;
     EXPECT_EQ(strip->meshes[0].indices,
               (std::vector<std::uint32_t>{0, 1, 2, 2, 1, 0, 2, 0, 2, 2, 0, 3}));
-    const Loaded<Model> fan = readGlb(changedJson(R"("indices":2)", R"("mode":6)"));
-    ASSERT_TRUE(fan.ok()) << fan.sentence();
+    const Result<Model, LoadError> fan = readGlb(changedJson(R"("indices":2)", R"("mode":6)"));
+    ASSERT_TRUE(fan.ok()) << fan.error().sentence;
     EXPECT_EQ(fan->meshes[0].indices, (std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}));
 }
 
@@ -92,8 +93,8 @@ TEST(GltfReaderTest, SparseValuesReplaceTheVerticesTheyName) {
         R"({"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","sparse":{"count":2,
             "indices":{"bufferView":2,"byteOffset":2,"componentType":5123},
             "values":{"bufferView":1,"byteOffset":12}}})");
-    const Loaded<Model> model = readGlb(packGlb(json, quadBytes()));
-    ASSERT_TRUE(model.ok()) << model.sentence();
+    const Result<Model, LoadError> model = readGlb(packGlb(json, quadBytes()));
+    ASSERT_TRUE(model.ok()) << model.error().sentence;
     EXPECT_EQ(model->meshes[0].positions,
               (std::vector<glm::vec3>{{0, 0, 0}, {0, 0, 1}, {0, 0, 1}, {0, 1, 0}}));
 }
@@ -108,13 +109,13 @@ TEST(GltfReaderTest, QuantisedAndNormalisedPositionsBecomeFloats) {
             R"("byteLength":48})", R"("byteLength":48,"byteStride":8})");
         return readGlb(packGlb(json, bytes));
     };
-    const Loaded<Model> plain =
+    const Result<Model, LoadError> plain =
         reader(R"({"bufferView":0,"componentType":5123,"count":3,"type":"VEC3"})");
-    ASSERT_TRUE(plain.ok()) << plain.sentence();
+    ASSERT_TRUE(plain.ok()) << plain.error().sentence;
     EXPECT_EQ(plain->meshes[0].positions[1], glm::vec3(65535, 0, 0));
-    const Loaded<Model> scaled = reader(
+    const Result<Model, LoadError> scaled = reader(
         R"({"bufferView":0,"componentType":5123,"count":3,"type":"VEC3","normalized":true})");
-    ASSERT_TRUE(scaled.ok()) << scaled.sentence();
+    ASSERT_TRUE(scaled.ok()) << scaled.error().sentence;
     EXPECT_EQ(scaled->meshes[0].positions[1], glm::vec3(1, 0, 0));
     EXPECT_NEAR(scaled->meshes[0].positions[2].y, 0.2F, 1e-6F);
 }
@@ -123,8 +124,8 @@ TEST(GltfReaderTest, MissingImagesDoNotMatter) {
     const std::string extra = R"(,"images":[{"uri":"gone.png"},{"bufferView":77}],
         "textures":[{"source":0}],"materials":[{"pbrMetallicRoughness":
         {"baseColorTexture":{"index":0}}}])";
-    const Loaded<Model> model = readGlb(quadGlb(R"([{"mesh":0}])", extra));
-    EXPECT_TRUE(model.ok()) << model.sentence();
+    const Result<Model, LoadError> model = readGlb(quadGlb(R"([{"mesh":0}])", extra));
+    EXPECT_TRUE(model.ok()) << model.error().sentence;
 }
 
 TEST(GltfReaderTest, ReadsExternalBuffers) {
@@ -134,13 +135,14 @@ TEST(GltfReaderTest, ReadsExternalBuffers) {
     const std::string uri = R"({"byteLength":108,"uri":"quad%20data.bin"})";
     std::ofstream(file) << replaced(quadJson(), R"({"byteLength":108})", uri);
     std::filesystem::remove(folder / "quad data.bin");
-    const Loaded<Model> missing = loadModel(file);
+    const Result<Model, LoadError> missing = loadModel(file);
     ASSERT_FALSE(missing.ok());
-    EXPECT_NE(missing.sentence().find("quad data.bin: there is no such file"), std::string::npos)
-        << missing.sentence();
+    EXPECT_NE(missing.error().sentence.find("quad data.bin: there is no such file"),
+              std::string::npos)
+        << missing.error().sentence;
     std::ofstream(folder / "quad data.bin", std::ios::binary) << quadBytes();
-    const Loaded<Model> model = loadModel(file);
-    EXPECT_TRUE(model.ok()) << model.sentence();
+    const Result<Model, LoadError> model = loadModel(file);
+    EXPECT_TRUE(model.ok()) << model.error().sentence;
 }
 
 TEST(GltfReaderTest, RefusesGraphsThatAreNoTrees) {
@@ -212,17 +214,18 @@ TEST(GltfReaderTest, RefusesWhatItCannotRead) {
         "nests deeper");
     expectGlbRefused(changedJson(R"("indices":2)", R"("indices":2,"mode":1)"),
                      "holds no triangles");
-    const Loaded<Model> unknown = readModel("x", "thing.stl");
+    const Result<Model, LoadError> unknown = readModel("x", "thing.stl");
     ASSERT_FALSE(unknown.ok());
-    EXPECT_NE(unknown.sentence().find("thing.stl: not a model file"), std::string::npos);
+    EXPECT_NE(unknown.error().sentence.find("thing.stl: not a model file"), std::string::npos);
 }
 
 TEST(GltfReaderTest, NamesFilesThatCannotBeOpened) {
-    EXPECT_NE(loadModel("nowhere/gone.glb").sentence().find("gone.glb: there is no such file"),
-              std::string::npos);
+    EXPECT_NE(
+        loadModel("nowhere/gone.glb").error().sentence.find("gone.glb: there is no such file"),
+        std::string::npos);
     const std::filesystem::path folder = std::filesystem::path(AOLIB_TEST_FOLDER) / "folder.glb";
     std::filesystem::create_directories(folder);
-    EXPECT_NE(loadModel(folder).sentence().find("not a regular file"), std::string::npos);
+    EXPECT_NE(loadModel(folder).error().sentence.find("not a regular file"), std::string::npos);
 }
 
 } // namespace

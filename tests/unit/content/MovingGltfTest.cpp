@@ -56,15 +56,15 @@ std::string keyed(const std::string& path, const std::string& interpolation,
 }
 
 MovingGltf opened(const std::string& bytes) {
-    Loaded<MovingGltf> moving = MovingGltf::open(bytes, "moving.glb");
-    EXPECT_TRUE(moving) << moving.sentence();
+    Result<MovingGltf, LoadError> moving = MovingGltf::open(bytes, "moving.glb");
+    EXPECT_TRUE(moving) << moving.error().sentence;
     return std::move(*moving);
 }
 
 /// A vertex of the first mesh in the world.
 glm::vec3 vertexAt(const MovingGltf& moving, double seconds, std::size_t vertex) {
-    const Loaded<Model> model = moving.at(0, seconds);
-    EXPECT_TRUE(model) << model.sentence();
+    const Result<Model, LoadError> model = moving.at(0, seconds);
+    EXPECT_TRUE(model) << model.error().sentence;
     const ModelMesh& mesh = model->meshes.at(0);
     return glm::vec3(mesh.transform * glm::vec4(mesh.positions.at(vertex), 1.0F));
 }
@@ -153,13 +153,13 @@ TEST(MovingGltfTest, SkinsFollowTheirJointsAndNotTheirNode) {
 
 TEST(MovingGltfTest, AtRestItIsWhatTheReaderReads) {
     for (const std::string& name : animatedModelNames()) {
-        const Loaded<std::string> bytes = animatedModel(name);
-        ASSERT_TRUE(bytes) << bytes.sentence();
+        const Result<std::string, LoadError> bytes = animatedModel(name);
+        ASSERT_TRUE(bytes) << bytes.error().sentence;
         const MovingGltf moving = opened(*bytes);
         ASSERT_EQ(moving.animations(), 1U) << name;
         EXPECT_FLOAT_EQ(static_cast<float>(moving.duration(0)), 2.0F);
-        const Loaded<Model> rest = readGltf(*bytes, "rest.glb");
-        const Loaded<Model> still = moving.at(moving.animations(), 0.0);
+        const Result<Model, LoadError> rest = readGltf(*bytes, "rest.glb");
+        const Result<Model, LoadError> still = moving.at(moving.animations(), 0.0);
         ASSERT_EQ(still->meshes.size(), rest->meshes.size());
         for (std::size_t i = 0; i < rest->meshes.size(); ++i) {
             EXPECT_EQ(still->meshes[i].indices, rest->meshes[i].indices);
@@ -218,9 +218,9 @@ TEST(MovingGltfTest, ParametersAreWhatMoves) {
 
 TEST(MovingGltfTest, DamagedMotionIsRefusedByName) {
     const auto refused = [](const std::string& bytes, const std::string& word) {
-        const Loaded<MovingGltf> moving = MovingGltf::open(bytes, "moving.glb");
+        const Result<MovingGltf, LoadError> moving = MovingGltf::open(bytes, "moving.glb");
         EXPECT_FALSE(moving);
-        EXPECT_NE(moving.sentence().find(word), std::string::npos) << moving.sentence();
+        EXPECT_NE(moving.error().sentence.find(word), std::string::npos) << moving.error().sentence;
         EXPECT_TRUE(readGltf(bytes, "moving.glb")) << "at rest it is fine";
     };
     const std::string good = keyed("translation", "LINEAR", {0, 0, 0, 1, 0, 0}, "VEC3");
@@ -230,7 +230,7 @@ TEST(MovingGltfTest, DamagedMotionIsRefusedByName) {
     refused(keyed("translation", "LINEAR", {0, 0, 0, 1, 0, INFINITY}, "VEC3"), "finite");
     refused(keyed("rotation", "LINEAR", {0, 0, 0, 1, 0, 0}, "VEC3"), "four numbers");
     const MovingGltf noSkin = opened(quadGlb(R"([{"mesh":0,"skin":3}])"));
-    EXPECT_NE(noSkin.at(0, 0.0).sentence().find("skin 3"), std::string::npos);
+    EXPECT_NE(noSkin.at(0, 0.0).error().sentence.find("skin 3"), std::string::npos);
 }
 
 } // namespace

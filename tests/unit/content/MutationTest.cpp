@@ -12,10 +12,10 @@ namespace aolib {
 namespace {
 
 /// A model that was accepted must be usable; a refusal must be one sentence with the file's name.
-void expectSound(const Loaded<Model>& model, const std::string& name) {
+void expectSound(const Result<Model, LoadError>& model, const std::string& name) {
     if (!model) {
-        EXPECT_NE(model.sentence().find(name), std::string::npos) << model.sentence();
-        EXPECT_GT(model.sentence().size(), name.size() + 4);
+        EXPECT_NE(model.error().sentence.find(name), std::string::npos) << model.error().sentence;
+        EXPECT_GT(model.error().sentence.size(), name.size() + 4);
         return;
     }
     EXPECT_GT(model->triangleCount(), 0U);
@@ -34,7 +34,7 @@ void expectSound(const Loaded<Model>& model, const std::string& name) {
 
 /// Reads every truncation and `flips` copies in which a few bytes were changed.
 void mutate(const std::string& bytes, const std::string& name, int flips) {
-    ASSERT_TRUE(readModel(bytes, name).ok()) << readModel(bytes, name).sentence();
+    ASSERT_TRUE(readModel(bytes, name).ok()) << readModel(bytes, name).error().sentence;
     for (std::size_t length = 0; length < bytes.size(); ++length) {
         expectSound(readModel(bytes.substr(0, length), name), name);
     }

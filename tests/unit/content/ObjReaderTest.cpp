@@ -7,23 +7,24 @@ namespace {
 
 const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
-Loaded<Model> readText(const std::string& text) {
+Result<Model, LoadError> readText(const std::string& text) {
     return readModel(text, "some/thing.obj");
 }
 
 void expectObjRefused(const std::string& text, const std::string& reason) {
-    const Loaded<Model> model = readText(text);
+    const Result<Model, LoadError> model = readText(text);
     ASSERT_FALSE(model.ok()) << text;
-    EXPECT_NE(model.sentence().find("thing.obj"), std::string::npos) << model.sentence();
-    EXPECT_NE(model.sentence().find(reason), std::string::npos) << model.sentence();
+    EXPECT_NE(model.error().sentence.find("thing.obj"), std::string::npos)
+        << model.error().sentence;
+    EXPECT_NE(model.error().sentence.find(reason), std::string::npos) << model.error().sentence;
 }
 
 TEST(ObjReaderTest, ReadsEveryFormOfIndex) {
     for (const char* face :
          {"f 1 2 3 4", "f 1/1 2/2 3/3 4/4", "f 1//1 2//1 3//1 4//1", "f 1/5/1 2//1 3/7/1 4//1",
           "f -4 -3 -2 -1", "f -4//-1 -3//-1 3//1 4//1"}) {
-        const Loaded<Model> model = readText(square + "vn 0 0 2\n" + face + "\n");
-        ASSERT_TRUE(model.ok()) << face << ": " << model.sentence();
+        const Result<Model, LoadError> model = readText(square + "vn 0 0 2\n" + face + "\n");
+        ASSERT_TRUE(model.ok()) << face << ": " << model.error().sentence;
         const ModelMesh& mesh = model->meshes[0];
         EXPECT_EQ(mesh.indices, (std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3})) << face;
         EXPECT_EQ(mesh.positions.size(), 4U) << face;
@@ -36,24 +37,25 @@ TEST(ObjReaderTest, ReadsEveryFormOfIndex) {
 }
 
 TEST(ObjReaderTest, PolygonsBecomeFans) {
-    const Loaded<Model> model = readText(square + "v 0.5 2 0\nf 1 2 3 5 4\n");
-    ASSERT_TRUE(model.ok()) << model.sentence();
+    const Result<Model, LoadError> model = readText(square + "v 0.5 2 0\nf 1 2 3 5 4\n");
+    ASSERT_TRUE(model.ok()) << model.error().sentence;
     EXPECT_EQ(model->triangleCount(), 3U);
 }
 
 TEST(ObjReaderTest, SkipsWhatItDoesNotUse) {
-    const Loaded<Model> model =
+    const Result<Model, LoadError> model =
         readText("# a comment\r\nmtllib x.mtl\r\no thing\r\nv 0 0 0 1 0.5 0.5\r\nv +1 0 0\r\n"
                  "v 1e0 1.5 -0\r\nvt 0 0\r\ng part\r\nusemtl red\r\ns off\r\nl 1 2\r\np 1\r\n"
                  "f 1 2 \\\r\n3 # the end");
-    ASSERT_TRUE(model.ok()) << model.sentence();
+    ASSERT_TRUE(model.ok()) << model.error().sentence;
     EXPECT_EQ(model->triangleCount(), 1U);
     EXPECT_EQ(model->meshes[0].positions[2], glm::vec3(1.0F, 1.5F, 0.0F));
 }
 
 TEST(ObjReaderTest, DropsNormalsThatSomeCornersLack) {
-    const Loaded<Model> model = readText(square + "vn 0 0 1\nf 1//1 2//1 3//1\nf 1 3 4\n");
-    ASSERT_TRUE(model.ok()) << model.sentence();
+    const Result<Model, LoadError> model =
+        readText(square + "vn 0 0 1\nf 1//1 2//1 3//1\nf 1 3 4\n");
+    ASSERT_TRUE(model.ok()) << model.error().sentence;
     EXPECT_TRUE(model->meshes[0].normals.empty());
     EXPECT_EQ(model->meshes[0].positions.size(), 4U);
 }

@@ -43,8 +43,8 @@ void fillFolder() {
 }
 
 TEST(SceneSourceTest, NamesWinOverFiles) {
-    const Loaded<Model> named = openScene("plane");
-    ASSERT_TRUE(named.ok()) << named.sentence();
+    const Result<Model, LoadError> named = openScene("plane");
+    ASSERT_TRUE(named.ok()) << named.error().sentence;
     EXPECT_EQ(named->triangleCount(), 2U);
     EXPECT_EQ(camerasFor("plane", *named)[0].name, "oblique");
 }
@@ -52,18 +52,19 @@ TEST(SceneSourceTest, NamesWinOverFiles) {
 TEST(SceneSourceTest, OpensFiles) {
     fillFolder();
     const std::string path = (scenesFolder / "b.obj").string();
-    const Loaded<Model> model = openScene(path);
-    ASSERT_TRUE(model.ok()) << model.sentence();
+    const Result<Model, LoadError> model = openScene(path);
+    ASSERT_TRUE(model.ok()) << model.error().sentence;
     EXPECT_EQ(model->triangleCount(), 1U);
     EXPECT_EQ(camerasFor(path, *model)[0].name, "front right");
 }
 
 TEST(SceneSourceTest, SaysWhichNamesThereAre) {
-    const Loaded<Model> model = openScene("twon");
+    const Result<Model, LoadError> model = openScene("twon");
     ASSERT_FALSE(model.ok());
-    EXPECT_NE(model.sentence().find("twon"), std::string::npos);
-    EXPECT_NE(model.sentence().find("town, room, dome"), std::string::npos) << model.sentence();
-    EXPECT_NE(openScene("gone.obj").sentence().find("no such file"), std::string::npos);
+    EXPECT_NE(model.error().sentence.find("twon"), std::string::npos);
+    EXPECT_NE(model.error().sentence.find("town, room, dome"), std::string::npos)
+        << model.error().sentence;
+    EXPECT_NE(openScene("gone.obj").error().sentence.find("no such file"), std::string::npos);
 }
 
 TEST(SceneSourceTest, FindsModelFilesOnly) {

@@ -30,8 +30,8 @@ TEST_P(StressModelsTest, HasEveryTriangle) {
         GTEST_SKIP() << "NOT TESTED: no stress models; set AOLIB_MODELS_DIR to the folder that "
                         "holds stress/";
     }
-    const Loaded<Model> model = loadModel(folder / GetParam().file);
-    ASSERT_TRUE(model.ok()) << model.sentence();
+    const Result<Model, LoadError> model = loadModel(folder / GetParam().file);
+    ASSERT_TRUE(model.ok()) << model.error().sentence;
     EXPECT_EQ(model->triangleCount(), GetParam().triangles);
     EXPECT_EQ(model->flattened().triangleCount(), GetParam().triangles);
 }
@@ -51,10 +51,11 @@ TEST(StressModels, RefusesInfinitePositions) {
     if (folder.empty()) {
         GTEST_SKIP() << "NOT TESTED: no stress models in AOLIB_MODELS_DIR/stress";
     }
-    const Loaded<Model> model = loadModel(folder / "BoxWithInfinites.glb");
+    const Result<Model, LoadError> model = loadModel(folder / "BoxWithInfinites.glb");
     ASSERT_FALSE(model.ok());
-    EXPECT_NE(model.sentence().find("BoxWithInfinites.glb"), std::string::npos);
-    EXPECT_NE(model.sentence().find("not finite"), std::string::npos) << model.sentence();
+    EXPECT_NE(model.error().sentence.find("BoxWithInfinites.glb"), std::string::npos);
+    EXPECT_NE(model.error().sentence.find("not finite"), std::string::npos)
+        << model.error().sentence;
 }
 
 TEST(StressModels, SparseValuesReplaceTheirVertices) {
@@ -62,8 +63,8 @@ TEST(StressModels, SparseValuesReplaceTheirVertices) {
     if (folder.empty()) {
         GTEST_SKIP() << "NOT TESTED: no stress models in AOLIB_MODELS_DIR/stress";
     }
-    const Loaded<Model> model = loadModel(folder / "SimpleSparseAccessor.gltf");
-    ASSERT_TRUE(model.ok()) << model.sentence();
+    const Result<Model, LoadError> model = loadModel(folder / "SimpleSparseAccessor.gltf");
+    ASSERT_TRUE(model.ok()) << model.error().sentence;
     EXPECT_EQ(model->bounds().max, glm::vec3(6, 4, 0)); // 2 without the sparse values
 }
 
@@ -72,8 +73,8 @@ TEST(StressModels, MirroredFacesAgreeWithTheirNormals) {
     if (folder.empty()) {
         GTEST_SKIP() << "NOT TESTED: no stress models in AOLIB_MODELS_DIR/stress";
     }
-    const Loaded<Model> model = loadModel(folder / "NegativeScaleTest.glb");
-    ASSERT_TRUE(model.ok()) << model.sentence();
+    const Result<Model, LoadError> model = loadModel(folder / "NegativeScaleTest.glb");
+    ASSERT_TRUE(model.ok()) << model.error().sentence;
     const TriangleMesh flat = model->flattened();
     std::size_t contrary = 0;
     for (std::size_t i = 0; i < flat.indices.size(); i += 3) {

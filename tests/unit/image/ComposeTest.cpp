@@ -40,7 +40,7 @@ TEST(Compose, StripKeepsOrderAndAlignsBottoms) {
     ByteImage high(1, 2, 3);
     high.pixels = {1, 2, 3, 4, 5, 6};
     const auto strip = sideBySide(std::vector<ByteImage>{low, high});
-    ASSERT_TRUE(strip) << strip.message();
+    ASSERT_TRUE(strip) << strip.error().message;
     ASSERT_EQ(strip->width, 2 + separatorWidth + 1);
     ASSERT_EQ(strip->height, 2);
     ASSERT_EQ(strip->channels, 3);
@@ -64,7 +64,7 @@ TEST(Compose, OnePictureHasNoSeparator) {
 
 TEST(Compose, BadInputIsRefused) {
     EXPECT_FALSE(sideBySide({}));
-    EXPECT_EQ(sideBySide(std::vector<ByteImage>{ByteImage(1, 1, 1), ByteImage(0, 1, 1)}).message(),
+    EXPECT_EQ(sideBySide(std::vector<ByteImage>{ByteImage(1, 1, 1), ByteImage(0, 1, 1)}).error().message,
               "picture 1 of a strip is 0 x 1 x 1 and holds 0 values");
     EXPECT_FALSE(sideBySide(std::vector<ByteImage>{ByteImage(1, 1, 5)}));
     EXPECT_FALSE(

@@ -26,10 +26,10 @@ TEST_F(FileContentTest, ReplacesAndMayBeEmpty) {
 TEST_F(FileContentTest, ErrorsNameFileAndReason) {
     const auto missing = readFile(path("missing"));
     ASSERT_FALSE(missing);
-    EXPECT_EQ(missing.message(),
+    EXPECT_EQ(missing.error().message,
               path("missing").string() + ": cannot be opened: No such file or directory");
     std::filesystem::create_directory(path("folder"));
-    EXPECT_EQ(readFile(path("folder")).message(),
+    EXPECT_EQ(readFile(path("folder")).error().message,
               path("folder").string() + ": cannot be read: it is a folder");
     const ImageOutcome nowhere = writeFile(path("no/such/folder"), {});
     ASSERT_TRUE(nowhere);

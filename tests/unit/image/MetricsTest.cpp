@@ -20,7 +20,7 @@ TEST(Metrics, ByHand) {
     // Errors 0.25, -0.5, 0, 0.25; the rest is background somewhere.
     const auto metrics = compareImages(row({0.75F, 0.25F, 1.0F, 0.25F, -1.0F, 0.5F, -1.0F, -1.0F}),
                                        row({0.5F, 0.75F, 1.0F, 0.0F, 0.5F, -1.0F, -1.0F, 0.5F}));
-    ASSERT_TRUE(metrics) << metrics.message();
+    ASSERT_TRUE(metrics) << metrics.error().message;
     EXPECT_EQ(metrics->pixels, 4U);
     EXPECT_EQ(metrics->backgroundOnlyInTest, 2U);
     EXPECT_EQ(metrics->backgroundOnlyInReference, 1U);
@@ -63,9 +63,9 @@ TEST(Metrics, EqualPictures) {
 }
 
 TEST(Metrics, SizesMustMatch) {
-    EXPECT_EQ(compareImages(FloatImage(4, 3, 1), FloatImage(3, 4, 1)).message(),
+    EXPECT_EQ(compareImages(FloatImage(4, 3, 1), FloatImage(3, 4, 1)).error().message,
               "sizes differ, the test is 4 x 3 x 1, the reference 3 x 4 x 1");
-    EXPECT_EQ(compareImages(FloatImage(4, 3, 1), FloatImage(4, 3, 3)).message(),
+    EXPECT_EQ(compareImages(FloatImage(4, 3, 1), FloatImage(4, 3, 3)).error().message,
               "sizes differ, the test is 4 x 3 x 1, the reference 4 x 3 x 3");
     EXPECT_FALSE(compareImages(FloatImage(4, 3, 3), FloatImage(4, 3, 3)));
     EXPECT_FALSE(compareImages(FloatImage(), FloatImage()));
@@ -78,14 +78,14 @@ TEST(Metrics, ValuesMustBeFinite) {
     FloatImage bad(4, 3, 1);
     bad.at(2, 1) = std::numeric_limits<float>::quiet_NaN();
     const FloatImage good(4, 3, 1);
-    EXPECT_EQ(compareImages(bad, good).message(), "the test is NaN at pixel (2, 1)");
-    EXPECT_EQ(compareImages(good, bad).message(), "the reference is NaN at pixel (2, 1)");
+    EXPECT_EQ(compareImages(bad, good).error().message, "the test is NaN at pixel (2, 1)");
+    EXPECT_EQ(compareImages(good, bad).error().message, "the reference is NaN at pixel (2, 1)");
     bad.at(3, 0) = -std::numeric_limits<float>::infinity();
-    EXPECT_EQ(compareImages(bad, good).message(), "the test is infinite at pixel (3, 0)");
+    EXPECT_EQ(compareImages(bad, good).error().message, "the test is infinite at pixel (3, 0)");
 }
 
 TEST(Metrics, SomethingMustBeLeftToCompare) {
-    EXPECT_EQ(compareImages(row({-1.0F, 0.5F}), row({0.5F, -1.0F})).message(),
+    EXPECT_EQ(compareImages(row({-1.0F, 0.5F}), row({0.5F, -1.0F})).error().message,
               "there is no pixel to compare, each is background in one picture");
 }
 

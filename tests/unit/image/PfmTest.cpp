@@ -16,8 +16,8 @@ protected:
         const auto image = readPfm(file);
         EXPECT_FALSE(image);
         const std::string start = file.string() + ": ";
-        EXPECT_EQ(image.message().substr(0, start.size()), start);
-        return image.message().substr(start.size());
+        EXPECT_EQ(image.error().message.substr(0, start.size()), start);
+        return image.error().message.substr(start.size());
     }
 };
 
@@ -52,7 +52,7 @@ TEST_F(PfmTest, WritesTheBottomRowFirstInLittleEndian) {
 TEST_F(PfmTest, ReadsBothByteOrders) {
     for (const std::string& bytes : {littleEndian, bigEndian}) {
         const auto image = readPfm(fileOf("a.pfm", bytes));
-        ASSERT_TRUE(image) << image.message();
+        ASSERT_TRUE(image) << image.error().message;
         EXPECT_EQ(*image, fourValues());
     }
 }
@@ -72,7 +72,7 @@ TEST_F(PfmTest, ThreeChannelsRoundTripBitByBit) {
 /// The first value's first byte may look like a blank; only one blank ends the header.
 TEST_F(PfmTest, OneBlankEndsTheHeader) {
     const auto image = readPfm(fileOf("a.pfm", std::string("Pf 1\t1\r-2.5 \x20\x0a\x0d\x41", 16)));
-    ASSERT_TRUE(image) << image.message();
+    ASSERT_TRUE(image) << image.error().message;
     EXPECT_FLOAT_EQ(image->at(0, 0), 8.8149719F);
 }
 

@@ -12,7 +12,7 @@ class Png16Test : public test::InTestFolder {
 protected:
     ByteImage read(const std::vector<std::uint8_t>& content) const {
         const auto image = readPng(fileOf("a.png", std::string(content.begin(), content.end())));
-        EXPECT_TRUE(image.ok()) << image.message();
+        EXPECT_TRUE(image.ok()) << image.error().message;
         return image ? *image : ByteImage();
     }
 };

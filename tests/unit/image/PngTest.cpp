@@ -23,7 +23,7 @@ const std::string twoRows("\x89PNG\r\n\x1a\n"
 
 TEST_F(PngTest, TheBottomRowIsRowZero) {
     const auto image = readPng(fileOf("a.png", twoRows));
-    ASSERT_TRUE(image) << image.message();
+    ASSERT_TRUE(image) << image.error().message;
     ASSERT_EQ(image->width, 1);
     ASSERT_EQ(image->height, 2);
     ASSERT_EQ(image->channels, 1);
@@ -39,7 +39,7 @@ TEST_F(PngTest, RoundTrips) {
         }
         ASSERT_FALSE(writePng(path("a.png"), image));
         const auto read = readPng(path("a.png"));
-        ASSERT_TRUE(read) << read.message();
+        ASSERT_TRUE(read) << read.error().message;
         EXPECT_EQ(*read, image) << channels;
     }
     EXPECT_EQ(names(), std::vector<std::string>{"a.png"});
@@ -49,7 +49,7 @@ TEST_F(PngTest, BadFilesAreRefused) {
     const auto complaint = [&](const std::string& bytes) {
         const auto image = readPng(fileOf("bad.png", bytes));
         EXPECT_FALSE(image);
-        return image.message();
+        return image.error().message;
     };
     const std::string start = path("bad.png").string() + ": not a PNG that can be read: ";
     for (const std::string& bytes :
@@ -60,7 +60,7 @@ TEST_F(PngTest, BadFilesAreRefused) {
     std::string huge = twoRows;
     huge[16] = '\x7f';
     EXPECT_EQ(complaint(huge).substr(0, start.size()), start);
-    EXPECT_NE(readPng(path("none.png")).message().find("none.png: cannot be opened"),
+    EXPECT_NE(readPng(path("none.png")).error().message.find("none.png: cannot be opened"),
               std::string::npos);
 }
 

@@ -185,9 +185,9 @@ AoStatus ViewRun::measure(const NamedEnvironment& environment, EnvironmentFigure
     }
     TracedLight{pixels_, std::move(*truth)}.paint(picture_);
     strip.insert(strip.begin(), toneMapped(picture_, exposure));
-    const ImageResult<ByteImage> beside = sideBySide(strip);
+    const Result<ByteImage, ImageError> beside = sideBySide(strip);
     if (!beside) {
-        return {StatusCode::OutOfMemory, beside.message()};
+        return {StatusCode::OutOfMemory, beside.error().message};
     }
     figures.strips.push_back({row.scene, row.environment, *beside});
     return {};

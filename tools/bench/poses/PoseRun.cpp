@@ -129,9 +129,9 @@ Result<Baked> PoseRun::bakeAt(double time, std::uint32_t seed) {
     if (!goOn_(double(done_++) / double(bakes_))) {
         return AoStatus(StatusCode::Cancelled, "the run was cancelled");
     }
-    const Loaded<PosedModel> model = plan_.model->posedAt(plan_.animation, time);
+    const Result<PosedModel, LoadError> model = plan_.model->posedAt(plan_.animation, time);
     if (!model) {
-        return AoStatus(StatusCode::InvalidPosition, model.sentence());
+        return AoStatus(StatusCode::InvalidPosition, model.error().sentence);
     }
     return baked(*model, plan_.rays, seed);
 }
@@ -158,9 +158,9 @@ AoStatus PoseRun::prepare() {
         truths_.push_back(std::move(*values));
     }
     const std::size_t none = plan_.model->animations(); // no such animation: the model at rest
-    const Loaded<PosedModel> still = plan_.model->posedAt(none, 0.0);
+    const Result<PosedModel, LoadError> still = plan_.model->posedAt(none, 0.0);
     if (!still) {
-        return {StatusCode::InvalidPosition, still.sentence()};
+        return {StatusCode::InvalidPosition, still.error().sentence};
     }
     const int middle = plan_.tests / 2;
     Result<Baked> rest = baked(*still, plan_.rays, 0);

@@ -126,7 +126,7 @@ public:
             Json::array({{{"sampler", 0}, {"target", {{"node", node}, {"path", path}}}}});
         content_.add("animations", std::move(animation));
     }
-    Loaded<std::string> glb(const std::vector<int>& roots) {
+    Result<std::string, LoadError> glb(const std::vector<int>& roots) {
         Json scene;
         scene["nodes"] = roots;
         content_.json["scenes"] = Json::array({std::move(scene)});
@@ -150,7 +150,7 @@ std::vector<glm::vec4> turns(float fromDegrees, float toDegrees) {
     return keys;
 }
 
-Loaded<std::string> buildArm() {
+Result<std::string, LoadError> buildArm() {
     constexpr float length = 4.0F;
     constexpr float elbow = 0.5F * length;
     constexpr float soft = 0.35F; // half of the length over which the elbow bends
@@ -218,7 +218,7 @@ Tube plate() {
     return result;
 }
 
-Loaded<std::string> buildHinge() {
+Result<std::string, LoadError> buildHinge() {
     Builder builder("hinge");
     const Tube half = plate();
     const int mesh = builder.mesh(builder.primitive(half.positions, half.indices));
@@ -238,7 +238,7 @@ Loaded<std::string> buildHinge() {
     return builder.glb({0, 1});
 }
 
-Loaded<std::string> buildBellows() {
+Result<std::string, LoadError> buildBellows() {
     Builder builder("bellows");
     const auto folds = [](float share) {
         return 1.0F + 0.25F * std::cos(2.0F * std::numbers::pi_v<float> * 6.0F * share);
@@ -272,7 +272,7 @@ std::vector<std::string> animatedModelNames() {
     return {"arm", "hinge", "bellows"};
 }
 
-Loaded<std::string> animatedModel(std::string_view name) {
+Result<std::string, LoadError> animatedModel(std::string_view name) {
     if (name == "arm") {
         return buildArm();
     }

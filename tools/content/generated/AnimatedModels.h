@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "content/Loaded.h"
+#include "content/LoadError.h"
 
 namespace aolib {
 
@@ -13,6 +13,6 @@ namespace aolib {
 std::vector<std::string> animatedModelNames();
 
 /// The model of a name as a GLB; fails where there is none.
-Loaded<std::string> animatedModel(std::string_view name);
+Result<std::string, LoadError> animatedModel(std::string_view name);
 
 } // namespace aolib

@@ -3,7 +3,8 @@
 #include <optional>
 #include <string>
 #include <utility>
-#include <variant>
+
+#include <aolib/Status.h>
 
 namespace aolib::app {
 
@@ -30,24 +31,5 @@ inline Failure graphicsFailure(std::string sentence) {
 
 /// Nothing when all went well.
 using MaybeFailure = std::optional<Failure>;
-
-/// A value, or the failure that says why there is none.
-template <typename T>
-class [[nodiscard]] Outcome {
-public:
-    Outcome(T value) : content_(std::move(value)) {}
-    Outcome(Failure failure) : content_(std::move(failure)) {}
-
-    bool ok() const { return std::holds_alternative<T>(content_); }
-    explicit operator bool() const { return ok(); }
-    const Failure& failure() const { return std::get<Failure>(content_); }
-    T& operator*() { return std::get<T>(content_); }
-    const T& operator*() const { return std::get<T>(content_); }
-    T* operator->() { return &std::get<T>(content_); }
-    const T* operator->() const { return &std::get<T>(content_); }
-
-private:
-    std::variant<T, Failure> content_;
-};
 
 } // namespace aolib::app

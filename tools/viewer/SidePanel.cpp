@@ -23,9 +23,9 @@ bool section(const char* name, bool open = true) {
 }
 
 /// A button for a command, with its key.
-void button(const char* text, Command command, Wishes& wishes) {
+void button(const char* text, Command command, PanelActions& actions) {
     if (ImGui::Button(text)) {
-        wishes.command(command);
+        actions.command(command);
     }
     if (ImGui::IsItemHovered()) {
         const KeyBinding& binding = bindingOf(command);
@@ -93,14 +93,14 @@ void megabytes(const char* what, std::size_t bytes) {
 } // namespace
 
 void SidePanel::draw(float left, float height, ViewerState& state, const PanelFacts& facts,
-                     Wishes& wishes) {
+                     PanelActions& actions) {
     ImGui::SetNextWindowPos({left, 0.0F}, ImGuiCond_Always);
     ImGui::SetNextWindowSize({width_, height}, ImGuiCond_Always);
     ImGui::Begin("##panel", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoNav |
                      ImGuiWindowFlags_NoBringToFrontOnFocus);
-    drawScene(state, facts, wishes);
+    drawScene(state, facts, actions);
     if (section("Compare")) {
         drawComparison(state, facts);
     }
@@ -111,18 +111,18 @@ void SidePanel::draw(float left, float height, ViewerState& state, const PanelFa
         options_.draw(state.options, defaults_, facts.sceneSize);
     }
     if (section("Cube maps")) {
-        drawCubeMapList(state, facts, wishes);
+        drawCubeMapList(state, facts, actions);
     }
     ImGui::End();
 }
 
-void SidePanel::drawScene(ViewerState& state, const PanelFacts& facts, Wishes& wishes) {
+void SidePanel::drawScene(ViewerState& state, const PanelFacts& facts, PanelActions& actions) {
     const std::string name = std::filesystem::path(facts.scene).filename().string();
     ImGui::SetNextItemWidth(-1.0F);
     if (ImGui::BeginCombo("##scene", (name + (facts.loading ? ", opening another" : "")).c_str())) {
         for (const GeneratedScene& scene : generatedScenes()) {
             if (ImGui::Selectable(scene.name, facts.scene == scene.name)) {
-                wishes.open = scene.name;
+                actions.open = scene.name;
             }
         }
         ImGui::EndCombo();
@@ -131,7 +131,7 @@ void SidePanel::drawScene(ViewerState& state, const PanelFacts& facts, Wishes& w
     if (ImGui::InputTextWithHint("##path", "or a file: drop it, or type its path", &path_,
                                  ImGuiInputTextFlags_EnterReturnsTrue) &&
         !path_.empty()) {
-        wishes.open = path_;
+        actions.open = path_;
     }
     const ImVec2 low = ImGui::GetItemRectMin();
     const ImVec2 size = ImGui::GetItemRectSize();
@@ -147,18 +147,18 @@ void SidePanel::drawScene(ViewerState& state, const PanelFacts& facts, Wishes& w
     if (ImGui::BeginCombo("##camera", "cameras")) {
         for (const NamedCamera& camera : facts.cameras) {
             if (ImGui::Selectable(camera.name.c_str())) {
-                wishes.camera = camera.name;
+                actions.camera = camera.name;
             }
         }
         ImGui::EndCombo();
     }
-    button("Screenshot", Command::Screenshot, wishes);
+    button("Screenshot", Command::Screenshot, actions);
     ImGui::SameLine();
-    button("Save case", Command::ExportCase, wishes);
+    button("Save case", Command::ExportCase, actions);
     ImGui::SameLine();
-    button("Reset", Command::ResetCamera, wishes);
+    button("Reset", Command::ResetCamera, actions);
     ImGui::SameLine();
-    button("Help", Command::Help, wishes);
+    button("Help", Command::Help, actions);
 }
 
 void SidePanel::drawComparison(ViewerState& state, const PanelFacts& facts) {
@@ -209,14 +209,14 @@ void SidePanel::drawMeasurements(ViewerState& state, const PanelFacts& facts) co
     ImGui::PopTextWrapPos();
 }
 
-void drawCubeMapList(ViewerState& state, const PanelFacts& facts, Wishes& wishes) {
+void drawCubeMapList(ViewerState& state, const PanelFacts& facts, PanelActions& actions) {
     ImGui::Checkbox("mark them", &state.gizmos);
     ImGui::SameLine();
-    button("Place here", Command::PlaceCubeMap, wishes);
+    button("Place here", Command::PlaceCubeMap, actions);
     ImGui::SameLine();
-    button("Remove", Command::RemoveCubeMap, wishes);
+    button("Remove", Command::RemoveCubeMap, actions);
     ImGui::SameLine();
-    button("All", Command::ClearCubeMaps, wishes);
+    button("All", Command::ClearCubeMaps, actions);
     for (const CubeMapInfo& cubeMap : facts.cubeMaps) {
         char text[96];
         std::snprintf(text, sizeof text, "%u: %d faces of %d^2, %.1f MB",

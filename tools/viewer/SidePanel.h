@@ -39,7 +39,7 @@ public:
 
     /// Draws it at the right of a window of this height, from `left` on.
     void draw(float left, float height, ViewerState& state, const PanelFacts& facts,
-              Wishes& wishes);
+              PanelActions& actions);
 
     const OptionsPanel& options() const { return options_; }
     /// Where the field for a file's path was drawn: x, y, width and height, mouse pixels.
@@ -49,7 +49,7 @@ public:
     const Options& defaults() const { return defaults_; }
 
 private:
-    void drawScene(ViewerState& state, const PanelFacts& facts, Wishes& wishes);
+    void drawScene(ViewerState& state, const PanelFacts& facts, PanelActions& actions);
     void drawComparison(ViewerState& state, const PanelFacts& facts);
     void drawMeasurements(ViewerState& state, const PanelFacts& facts) const;
 
@@ -61,6 +61,6 @@ private:
 };
 
 /// The list of cube maps, with buttons, into the window that ImGui is in.
-void drawCubeMapList(ViewerState& state, const PanelFacts& facts, Wishes& wishes);
+void drawCubeMapList(ViewerState& state, const PanelFacts& facts, PanelActions& actions);
 
 } // namespace aolib::viewer

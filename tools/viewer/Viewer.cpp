@@ -260,7 +260,7 @@ void Viewer::drawPicture() {
 
 void Viewer::drawGui() {
     const glm::vec2 size = pictureSize();
-    Wishes wishes;
+    PanelActions actions;
     gui_->beginFrame();
     drawMarks(size);
     if (state_.rival != Rival::None) {
@@ -268,7 +268,7 @@ void Viewer::drawGui() {
                   std::string(choiceOf(state_.rival).label));
     }
     if (state_.panel) {
-        panel_.draw(size.x, size.y, state_, facts(), wishes);
+        panel_.draw(size.x, size.y, state_, facts(), actions);
     }
     messages_.draw(size);
     if (state_.help) {
@@ -279,7 +279,7 @@ void Viewer::drawGui() {
     picture_.present(state_);
     gl.Viewport(0, 0, window_->pixels().x, window_->pixels().y);
     gui_->endFrame();
-    obey(wishes);
+    obey(actions);
 }
 
 PanelFacts Viewer::facts() const {

@@ -49,7 +49,7 @@ private:
     PanelFacts facts() const;
 
     void obey(Command command);
-    void obey(const Wishes& wishes);
+    void obey(const PanelActions& actions);
     void goToCamera(const NamedCamera& camera);
     void openScene(const std::string& nameOrPath);
     void changeCubeMaps(Command command);

@@ -97,16 +97,16 @@ void Viewer::obey(Command command) {
     }
 }
 
-void Viewer::obey(const Wishes& wishes) {
-    for (const Command command : wishes.commands) {
+void Viewer::obey(const PanelActions& actions) {
+    for (const Command command : actions.commands) {
         obey(command);
     }
-    if (wishes.open) {
-        openScene(*wishes.open);
+    if (actions.open) {
+        openScene(*actions.open);
     }
-    if (wishes.camera) {
+    if (actions.camera) {
         for (const NamedCamera& camera : scene_->cameras()) {
-            if (camera.name == *wishes.camera) {
+            if (camera.name == *actions.camera) {
                 goToCamera(camera);
             }
         }

@@ -35,7 +35,7 @@ struct ViewerState {
 };
 
 /// What panels and overlays want done, besides what they change in the state.
-struct Wishes {
+struct PanelActions {
     std::vector<Command> commands;
     std::optional<std::string> open;   ///< a scene, or a file
     std::optional<std::string> camera; ///< of the scene, by name

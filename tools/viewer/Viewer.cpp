@@ -196,7 +196,7 @@ void Viewer::takeScene() {
 void Viewer::follow(const Input& input, float seconds) {
     for (const KeyPress& press : input.keys) {
         if (const KeyBinding* binding = bindingOf(press)) {
-            obey(binding->command);
+            execute(binding->command);
         }
     }
     if (!input.dropped.empty()) {
@@ -279,7 +279,7 @@ void Viewer::drawGui() {
     picture_.present(state_);
     gl.Viewport(0, 0, window_->pixels().x, window_->pixels().y);
     gui_->endFrame();
-    obey(actions);
+    execute(actions);
 }
 
 PanelFacts Viewer::facts() const {

@@ -48,8 +48,8 @@ private:
     app::MaybeFailure saveWhatIsDue();
     PanelFacts facts() const;
 
-    void obey(Command command);
-    void obey(const PanelActions& actions);
+    void execute(Command command);
+    void execute(const PanelActions& actions);
     void goToCamera(const NamedCamera& camera);
     void openScene(const std::string& nameOrPath);
     void changeCubeMaps(Command command);

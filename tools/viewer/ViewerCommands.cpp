@@ -44,7 +44,7 @@ void toggle(bool& value) {
 
 } // namespace
 
-void Viewer::obey(Command command) {
+void Viewer::execute(Command command) {
     guiFrames_ = std::max(guiFrames_, 2);
     switch (command) {
     case Command::Help:
@@ -97,9 +97,9 @@ void Viewer::obey(Command command) {
     }
 }
 
-void Viewer::obey(const PanelActions& actions) {
+void Viewer::execute(const PanelActions& actions) {
     for (const Command command : actions.commands) {
-        obey(command);
+        execute(command);
     }
     if (actions.open) {
         openScene(*actions.open);

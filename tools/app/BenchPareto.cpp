@@ -46,7 +46,7 @@ struct ParetoFlags {
     std::optional<int> height;
     std::optional<int> rays;
     bench::TruthSettings truth;
-    bench::Patience patience;
+    bench::TimingSettings timing;
     std::string out = "out/pareto";
     std::string cache;
 };
@@ -116,7 +116,7 @@ Result<bench::ParetoSettings, Failure> settingsOf(const ParetoFlags& flags) {
     settings.truth.size.width = flags.width.value_or(settings.truth.size.width);
     settings.truth.size.height = flags.height.value_or(settings.truth.size.height);
     settings.truth.rays = flags.rays.value_or(settings.truth.rays);
-    settings.patience = flags.patience;
+    settings.timing = flags.timing;
     settings.out = flags.out;
     settings.cache = flags.cache.empty() ? settings.out / "truth" : fs::path(flags.cache);
     if (MaybeFailure failure = makeOutFolder(flags.out)) {
@@ -170,7 +170,7 @@ MaybeFailure run(const ParetoFlags& flags, const std::string& line) {
         return failure;
     }
     printSummary(*rows);
-    if (flags.patience.passes) {
+    if (flags.timing.passes) {
         printPasses(*rows);
     }
     std::cout << "wrote " << (settings->out / "pareto.csv").string() << " and pareto.json\n";
@@ -212,7 +212,7 @@ void attachSelection(CLI::App& command, ParetoFlags& flags) {
 
 void attachEffort(CLI::App& command, ParetoFlags& flags) {
     command.add_flag("--quick", flags.quick, "pictures of 320 x 180, truth with 128 rays");
-    command.add_flag("--passes", flags.patience.passes,
+    command.add_flag("--passes", flags.timing.passes,
                      "also time every pass of a frame and of a build (aolib's methods)");
     addWholeNumber(
         command, "--width", 1, kMostSide, [&flags](int n) { flags.width = n; }, "pixels")
@@ -229,16 +229,16 @@ void attachEffort(CLI::App& command, ParetoFlags& flags) {
         "the truth is traced at one pixel in each cell of so many by so many")
         ->default_str("3");
     addWholeNumber(
-        command, "--repeat", 1, kMostRepeats, [&flags](int n) { flags.patience.repeat = n; },
+        command, "--repeat", 1, kMostRepeats, [&flags](int n) { flags.timing.repeat = n; },
         "builds per method and case, of which the median is told")
         ->default_str("1");
     addWholeNumber(
         command, "--build-seconds", 1, kMostBuildSeconds,
-        [&flags](int n) { flags.patience.buildSeconds = n; },
+        [&flags](int n) { flags.timing.buildSeconds = n; },
         "a build that has not converged by then is taken as it is")
         ->default_str("600");
     addWholeNumber(
-        command, "--frames", 1, kMostTimedFrames, [&flags](int n) { flags.patience.frames = n; },
+        command, "--frames", 1, kMostTimedFrames, [&flags](int n) { flags.timing.frames = n; },
         "timed after each build")
         ->default_str("7");
 }

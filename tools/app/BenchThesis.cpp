@@ -30,7 +30,7 @@ struct ThesisFlags {
     std::vector<Estimator> estimators;
     std::vector<bench::ThesisFigure> figures;
     bool quick = false;
-    bench::Patience patience;
+    bench::TimingSettings timing;
     std::string out = "out/thesis";
 };
 
@@ -72,7 +72,7 @@ Result<bench::ThesisRunSettings, Failure> settingsOf(const ThesisFlags& flags) {
     if (flags.quick) {
         settings.size = kQuickSize;
     }
-    settings.patience = flags.patience;
+    settings.timing = flags.timing;
     settings.out = flags.out;
     if (MaybeFailure failure = makeOutFolder(flags.out)) {
         return *failure;
@@ -166,9 +166,9 @@ void attach(CLI::App& command, ThesisFlags& flags) {
         ->trigger_on_parse();
     command.add_flag("--quick", flags.quick, "pictures of 320 x 180, faces a quarter as wide");
     addWholeNumber(
-        command, "--repeat", 1, kMostRepeats, [&flags](int n) { flags.patience.repeat = n; },
+        command, "--repeat", 1, kMostRepeats, [&flags](int n) { flags.timing.repeat = n; },
         "builds per measurement, of which the median is told")
-        ->default_str(std::to_string(flags.patience.repeat));
+        ->default_str(std::to_string(flags.timing.repeat));
     command.add_option("--out", flags.out, "folder for what is written")
         ->type_name("DIR")
         ->capture_default_str();
@@ -179,7 +179,7 @@ void attach(CLI::App& command, ThesisFlags& flags) {
 
 void addBenchThesis(CLI::App& bench, MaybeFailure& failure) {
     const auto flags = std::make_shared<ThesisFlags>();
-    flags->patience.repeat = 3;
+    flags->timing.repeat = 3;
     CLI::App* thesis = bench.add_subcommand(
         "thesis", "the thesis's figures: build time, frame time and memory of cube maps");
     attach(*thesis, *flags);

@@ -52,12 +52,12 @@ struct FacadeRun::Impl {
 
     AoStatus giveOrTakeTracer(bool wanted);
     AoStatus buildOnce(const FacadeMethod& method, const std::vector<glm::vec3>& positions,
-                       const Truth& truth, const Patience& patience, Measurement& m, Gathered& all);
-    AoStatus converge(const Options& options, const Truth& truth, const Patience& patience,
+                       const Truth& truth, const TimingSettings& timing, Measurement& m, Gathered& all);
+    AoStatus converge(const Options& options, const Truth& truth, const TimingSettings& timing,
                       Build& build, Measurement& m);
     AoStatus look(const Truth& truth, double spent, Build& build, Measurement& m);
-    AoStatus timeFrames(const Patience& patience, Gathered& all);
-    AoStatus timePasses(const std::vector<glm::vec3>& positions, const Patience& patience,
+    AoStatus timeFrames(const TimingSettings& timing, Gathered& all);
+    AoStatus timePasses(const std::vector<glm::vec3>& positions, const TimingSettings& timing,
                         Measurement& m);
     void countMemory(Measurement& m) const;
 
@@ -98,7 +98,7 @@ Result<FacadeRun, LoadError> FacadeRun::create(const gl::Functions& gl,
 }
 
 Measurement FacadeRun::measure(const FacadeMethod& method, const BenchCase& which,
-                               const Truth& truth, const Patience& patience) {
+                               const Truth& truth, const TimingSettings& timing) {
     const NamedCamera& camera = impl_->scene.cameras[which.camera];
     FacadeMethod sized = method;
     sized.options.radius = static_cast<float>(which.radiusShare * impl_->scene.diagonal);
@@ -114,12 +114,12 @@ Measurement FacadeRun::measure(const FacadeMethod& method, const BenchCase& whic
         return m;
     }
     status = warmUp(impl_->ao, impl_->frames, sized.options, camera.eye);
-    for (int turn = 0; status && turn < patience.repeat; ++turn) {
-        status = impl_->buildOnce(sized, positions, truth, patience, m, all);
+    for (int turn = 0; status && turn < timing.repeat; ++turn) {
+        status = impl_->buildOnce(sized, positions, truth, timing, m, all);
     }
     if (status) {
         impl_->countMemory(m);
-        status = impl_->timePasses(positions, patience, m);
+        status = impl_->timePasses(positions, timing, m);
     }
     if (!status) {
         m.failure = status.message();
@@ -139,7 +139,7 @@ std::vector<float> FacadeRun::drawDepths(const NamedCamera& camera) {
 
 AoStatus FacadeRun::Impl::buildOnce(const FacadeMethod& method,
                                     const std::vector<glm::vec3>& positions, const Truth& truth,
-                                    const Patience& patience, Measurement& m, Gathered& all) {
+                                    const TimingSettings& timing, Measurement& m, Gathered& all) {
     ao.clear();
     frames.setSway(0.0F);
     frames.finish();
@@ -151,12 +151,12 @@ AoStatus FacadeRun::Impl::buildOnce(const FacadeMethod& method,
         }
     }
     frames.finish();
-    if (AoStatus status = converge(method.options, truth, patience, build, m); !status) {
+    if (AoStatus status = converge(method.options, truth, timing, build, m); !status) {
         return status;
     }
     const double convergedMs = m.path.back().ms;
     Gathered now;
-    if (AoStatus status = timeFrames(patience, now); !status) {
+    if (AoStatus status = timeFrames(timing, now); !status) {
         return status;
     }
     const double usual = spreadOf(now.frameMs).median;
@@ -181,7 +181,7 @@ AoStatus FacadeRun::Impl::giveOrTakeTracer(bool wanted) {
 }
 
 AoStatus FacadeRun::Impl::converge(const Options& options, const Truth& truth,
-                                   const Patience& patience, Build& build, Measurement& m) {
+                                   const TimingSettings& timing, Build& build, Measurement& m) {
     const double beforeFrames = build.spent(); // spent in addCubeMap()
     m.worstFrameMs = -1.0;
     for (;;) {
@@ -199,7 +199,7 @@ AoStatus FacadeRun::Impl::converge(const Options& options, const Truth& truth,
         // A frame that built something may not show all of it yet: look at one more.
         const bool done = shows && statistics.converged && statistics.cubeMapsBuilt == 0;
         m.converged = done;
-        const bool over = spent - beforeFrames > patience.buildSeconds * kMsPerSecond;
+        const bool over = spent - beforeFrames > timing.buildSeconds * kMsPerSecond;
         if (done || over || (shows && (!build.shown || spent >= build.nextLook))) {
             if (AoStatus status = look(truth, spent, build, m); !status) {
                 return status;
@@ -229,12 +229,12 @@ AoStatus FacadeRun::Impl::look(const Truth& truth, double spent, Build& build, M
     return {};
 }
 
-AoStatus FacadeRun::Impl::timeFrames(const Patience& patience, Gathered& all) {
+AoStatus FacadeRun::Impl::timeFrames(const TimingSettings& timing, Gathered& all) {
     frames.setSway(sway);
     if (const Result<FrameTimes> warm = frames.draw(ao); !warm) {
         return warm.status();
     }
-    for (int i = 0; i < patience.frames; ++i) {
+    for (int i = 0; i < timing.frames; ++i) {
         const Result<FrameTimes> frame = frames.draw(ao);
         if (!frame) {
             return frame.status();
@@ -247,12 +247,12 @@ AoStatus FacadeRun::Impl::timeFrames(const Patience& patience, Gathered& all) {
 
 /// Frames and one more build with a timer that waits after every pass.
 AoStatus FacadeRun::Impl::timePasses(const std::vector<glm::vec3>& positions,
-                                     const Patience& patience, Measurement& m) {
-    if (!patience.passes) {
+                                     const TimingSettings& timing, Measurement& m) {
+    if (!timing.passes) {
         return {};
     }
     std::vector<std::vector<PassTime>> lists;
-    for (int i = 0; i < patience.frames; ++i) {
+    for (int i = 0; i < timing.frames; ++i) {
         const Result<FrameTimes> frame = frames.drawTimed(ao, *timer);
         if (!frame) {
             return frame.status();

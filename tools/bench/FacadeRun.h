@@ -28,7 +28,7 @@ public:
 
     /// Measures a method. A failure of the library is told in the measurement.
     Measurement measure(const FacadeMethod& method, const BenchCase& which, const Truth& truth,
-                        const Patience& patience);
+                        const TimingSettings& timing);
 
     /// What the host draws: depths of all pixels, 0 to 1, row 0 at the bottom.
     std::vector<float> drawDepths(const NamedCamera& camera);

@@ -61,7 +61,7 @@ void tracePicture(const RayScene& scene, float radius, const std::vector<Surface
 
 Measurement measureFewRays(const FewRaysMethod& method, const OpenedScene& scene,
                            const BenchCase& which, const Truth& truth, const PictureSize& size,
-                           const Patience& patience) {
+                           const TimingSettings& timing) {
     const NamedCamera& camera = scene.cameras[which.camera];
     Receivers seen = findReceivers(scene.rays, camera, size, allPixels(size));
     followPicture(scene.rays, camera, size, truth.drawn, seen);
@@ -84,7 +84,7 @@ Measurement measureFewRays(const FewRaysMethod& method, const OpenedScene& scene
     m.final = m.first;
     m.path = {{m.firstMs, m.first.rmse}};
     std::vector<double> times;
-    for (int i = 0; i < patience.frames * patience.repeat; ++i) {
+    for (int i = 0; i < timing.frames * timing.repeat; ++i) {
         times.push_back(drawFrame());
     }
     m.frameMs = spreadOf(std::move(times));

@@ -12,6 +12,6 @@ namespace aolib::bench {
 /// before the clock starts: a renderer has them in its depth buffer.
 Measurement measureFewRays(const FewRaysMethod& method, const OpenedScene& scene,
                            const BenchCase& which, const Truth& truth, const PictureSize& size,
-                           const Patience& patience);
+                           const TimingSettings& timing);
 
 } // namespace aolib::bench

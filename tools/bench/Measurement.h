@@ -28,7 +28,7 @@ struct Measurement {
     double firstMs = -1.0;      ///< until the first frame that shows the method's result has ended
     double worstFrameMs = -1.0; ///< the longest frame until converged
     int framesToConverge = 0;
-    bool converged = true; ///< false where patience ran out
+    bool converged = true; ///< false where timing ran out
 
     ErrorFigures first;           ///< after the first frame that shows the method's result
     ErrorFigures final;           ///< converged
@@ -44,7 +44,7 @@ struct Measurement {
 };
 
 /// How patiently to measure.
-struct Patience {
+struct TimingSettings {
     int repeat = 1;            ///< builds per method and case
     int frames = 7;            ///< timed per build, at least
     bool passes = false;       ///< also time the passes of a frame and of a build

@@ -136,8 +136,8 @@ std::string paretoJson(const ParetoSettings& settings, const std::vector<ParetoR
                      {"seed", settings.truth.seed},
                      {"falloff", "step"},
                      {"normals", "geometric"},
-                     {"repeat", settings.patience.repeat},
-                     {"frames", settings.patience.frames}}},
+                     {"repeat", settings.timing.repeat},
+                     {"frames", settings.timing.frames}}},
                    {"summary", std::move(summary)},
                    {"results", std::move(results)}};
     return fileText(all);

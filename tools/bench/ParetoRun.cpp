@@ -142,13 +142,13 @@ std::string Pareto::runCase(const OpenedScene& scene, FacadeRun& facade, const B
 Measurement Pareto::measure(const OpenedScene& scene, FacadeRun& facade, const Method& method,
                             const BenchCase& which, const Truth& truth) {
     if (const auto* how = std::get_if<FacadeMethod>(&method.how)) {
-        return facade.measure(*how, which, truth, settings_.patience);
+        return facade.measure(*how, which, truth, settings_.timing);
     }
     if (const auto* how = std::get_if<FewRaysMethod>(&method.how)) {
-        return measureFewRays(*how, scene, which, truth, settings_.truth.size, settings_.patience);
+        return measureFewRays(*how, scene, which, truth, settings_.truth.size, settings_.timing);
     }
     return measureSurfaceElements(std::get<SurfaceElementsMethod>(method.how), scene, which, truth,
-                                  settings_.truth.size, settings_.patience);
+                                  settings_.truth.size, settings_.timing);
 }
 
 } // namespace

@@ -21,7 +21,7 @@ struct ParetoSettings {
     std::vector<BenchCase> cases; ///< cases of a scene in a row
     std::vector<Method> methods;
     TruthSettings truth;
-    Patience patience;
+    TimingSettings timing;
     std::filesystem::path out;   ///< an existing folder
     std::filesystem::path cache; ///< of truths; empty: none
     MachineInfo machine;

@@ -31,7 +31,7 @@ double drawFrame(const SurfaceElements& elements, const Receivers& seen,
 
 Measurement measureSurfaceElements(const SurfaceElementsMethod& method, const OpenedScene& scene,
                                    const BenchCase& which, const Truth& truth,
-                                   const PictureSize& size, const Patience& patience) {
+                                   const PictureSize& size, const TimingSettings& timing) {
     const NamedCamera& camera = scene.cameras[which.camera];
     Receivers seen = findReceivers(scene.rays, camera, size, allPixels(size));
     followPicture(scene.rays, camera, size, truth.drawn, seen);
@@ -41,11 +41,11 @@ Measurement measureSurfaceElements(const SurfaceElementsMethod& method, const Op
     std::vector<float> picture(size.pixels(), -1.0F);
     std::vector<double> builds;
     std::vector<double> frames;
-    for (int turn = 0; turn < patience.repeat; ++turn) {
+    for (int turn = 0; turn < timing.repeat; ++turn) {
         const Clock::time_point begin = Clock::now();
         const SurfaceElements elements(scene.rays.mesh(), settings);
         builds.push_back(millisecondsSince(begin));
-        for (int i = 0; i <= patience.frames; ++i) {
+        for (int i = 0; i <= timing.frames; ++i) {
             const double ms = drawFrame(elements, seen, picture);
             if (i > 0) { // the first warms up
                 frames.push_back(ms);

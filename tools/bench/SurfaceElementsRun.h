@@ -11,6 +11,6 @@ namespace aolib::bench {
 /// pixels, which find their triangles before the clock starts: a renderer gets that for nothing.
 Measurement measureSurfaceElements(const SurfaceElementsMethod& method, const OpenedScene& scene,
                                    const BenchCase& which, const Truth& truth,
-                                   const PictureSize& size, const Patience& patience);
+                                   const PictureSize& size, const TimingSettings& timing);
 
 } // namespace aolib::bench

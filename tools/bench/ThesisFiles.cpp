@@ -48,8 +48,8 @@ std::string thesisJson(const ThesisRunSettings& settings, const std::vector<Thes
                       {{"width", settings.size.width},
                        {"height", settings.size.height},
                        {"radius_share", kWideRadius},
-                       {"repeat", settings.patience.repeat},
-                       {"frames", settings.patience.frames}}},
+                       {"repeat", settings.timing.repeat},
+                       {"frames", settings.timing.frames}}},
                      {"results", std::move(results)}});
 }
 

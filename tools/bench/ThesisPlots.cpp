@@ -67,8 +67,8 @@ Plot plotOf(const ThesisRunSettings& settings, ThesisFigure figure, const std::s
                   machine.cpu + ", " + std::to_string(machine.cores) + " logical cores; commit " +
                       (machine.commit.empty() ? "unknown" : machine.commit) + "; " + machine.date,
                   "radius 10% of the scene's diagonal; medians of " +
-                      std::to_string(settings.patience.repeat) + " builds and " +
-                      std::to_string(settings.patience.repeat * settings.patience.frames) +
+                      std::to_string(settings.timing.repeat) + " builds and " +
+                      std::to_string(settings.timing.repeat * settings.timing.frames) +
                       " frames of " + std::to_string(settings.size.width) + " x " +
                       std::to_string(settings.size.height) + " pixels"};
     return plot;

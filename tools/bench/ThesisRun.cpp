@@ -32,13 +32,13 @@ public:
         frames_.setCamera(scene.cameras.front());
     }
 
-    ThesisRow measure(const ThesisSetting& setting, const Patience& patience) {
+    ThesisRow measure(const ThesisSetting& setting, const TimingSettings& timing) {
         ThesisRow row;
         row.scene = scene_.entry.name;
         row.triangles = scene_.model.triangleCount();
         row.setting = setting;
         Times times;
-        if (const AoStatus status = measure(setting, patience, times); !status) {
+        if (const AoStatus status = measure(setting, timing, times); !status) {
             row.failure = status.message();
             return row;
         }
@@ -55,7 +55,7 @@ public:
     }
 
 private:
-    AoStatus measure(const ThesisSetting& setting, const Patience& patience, Times& times) {
+    AoStatus measure(const ThesisSetting& setting, const TimingSettings& timing, Times& times) {
         const NamedCamera& camera = scene_.cameras.front();
         Options options = setting.options();
         options.radius = static_cast<float>(kWideRadius * scene_.diagonal);
@@ -64,11 +64,11 @@ private:
         }
         const std::vector<glm::vec3> positions =
             cubeMapPositions(scene_, camera, size_, setting.cubeMaps);
-        for (int turn = 0; turn < patience.repeat; ++turn) {
-            if (AoStatus status = build(positions, patience, times); !status) {
+        for (int turn = 0; turn < timing.repeat; ++turn) {
+            if (AoStatus status = build(positions, timing, times); !status) {
                 return status;
             }
-            for (int i = 0; i < patience.frames; ++i) {
+            for (int i = 0; i < timing.frames; ++i) {
                 const Result<FrameTimes> frame = frames_.draw(ao_);
                 if (!frame) {
                     return frame.status();
@@ -80,7 +80,7 @@ private:
     }
 
     /// Places cube maps and draws until nothing is left to compute.
-    AoStatus build(const std::vector<glm::vec3>& positions, const Patience& patience,
+    AoStatus build(const std::vector<glm::vec3>& positions, const TimingSettings& timing,
                    Times& times) {
         ao_.clear();
         frames_.finish();
@@ -101,7 +101,7 @@ private:
             const Statistics statistics = ao_.statistics();
             const bool done = statistics.converged && statistics.cubeMapsBuilt == 0;
             ms += first && done ? 0.0 : frame->aoMs;
-            if (done || millisecondsSince(begin) > patience.buildSeconds * kMsPerSecond) {
+            if (done || millisecondsSince(begin) > timing.buildSeconds * kMsPerSecond) {
                 break;
             }
         }
@@ -165,7 +165,7 @@ Result<std::vector<ThesisRow>, LoadError> runThesis(const gl::Functions& gl,
                           (remaining.empty() ? "" : ", " + remaining));
             reports.progress(left.fraction());
             const Clock::time_point begin = Clock::now();
-            rows.push_back(run->measure(settings.settings[i], settings.patience));
+            rows.push_back(run->measure(settings.settings[i], settings.timing));
             left.done(i, millisecondsSince(begin) / kMsPerSecond);
             if (!rows.back().failure.empty()) {
                 reports.warn(entry.name + ", " + describe(settings.settings[i]) + ": " +

@@ -22,7 +22,7 @@ struct ThesisRunSettings {
     std::vector<BenchScene> scenes;
     std::vector<ThesisSetting> settings;
     PictureSize size;
-    Patience patience;
+    TimingSettings timing;
     std::filesystem::path out; ///< an existing folder
     MachineInfo machine;
     std::string commandLine;

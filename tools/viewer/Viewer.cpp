@@ -139,7 +139,7 @@ bool Viewer::ending() const {
 }
 
 /// Seconds to wait for an event; below 0 without an end.
-double Viewer::patience() const {
+double Viewer::timing() const {
     if (settings_.frames || guiFrames_ > 0 || moving_) {
         return 0.0;
     }
@@ -153,7 +153,7 @@ double Viewer::patience() const {
 }
 
 app::MaybeFailure Viewer::step() {
-    window_->wait(patience());
+    window_->wait(timing());
     guiFrames_ = window_->stirred() ? kGuiFrames : std::max(guiFrames_ - 1, 0);
     const Clock::time_point now = Clock::now();
     const double seconds = std::chrono::duration<double>(now - latestStep_).count();

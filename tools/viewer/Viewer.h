@@ -37,7 +37,7 @@ private:
     Options optionsFor(const app::View& view) const;
 
     app::MaybeFailure step();
-    double patience() const;
+    double timing() const;
     void follow(const Input& input, float seconds);
     void takeScene();
     void followTruth();

@@ -41,7 +41,7 @@ protected:
         settings_.truth.size = {64, 36};
         settings_.truth.rays = 64;
         settings_.truth.stride = 2;
-        settings_.patience.frames = 2;
+        settings_.timing.frames = 2;
         settings_.out = test::freshFolder();
         settings_.cache = settings_.out / "truth";
         reports_.stage = [](const std::string&) {};
@@ -75,7 +75,7 @@ TEST_F(ParetoRunGL, MeasuresEveryKindOfMethod) {
         facade("screen", Backbone::ScreenSpace, Estimator::LayeredIntervals, 0),
         {"rays", "rays", Family::FewRays, FewRaysMethod{64}, true},
         {"surfels", "surfels", Family::SurfaceElements, SurfaceElementsMethod{2000}, true}};
-    settings_.patience.passes = true;
+    settings_.timing.passes = true;
     const auto rows = run();
     ASSERT_TRUE(rows) << rows.error().sentence;
     ASSERT_EQ(rows->size(), 10U);

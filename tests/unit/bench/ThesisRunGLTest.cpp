@@ -39,7 +39,7 @@ TEST(ThesisRunGL, MeasuresTimesAndMemory) {
         setting(ThesisFigure::CubeMaps, Estimator::HorizonSplit, 16, 3),
     };
     settings.size = {32, 18};
-    settings.patience.frames = 2;
+    settings.timing.frames = 2;
     settings.out = test::freshFolder();
     int warnings = 0;
     ThesisReports reports;

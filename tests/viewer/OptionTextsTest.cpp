@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "viewer/OptionTexts.h"
-#include "viewer/StagedScene.h"
+#include "viewer/SceneInstance.h"
 
 namespace aolib::viewer {
 namespace {

@@ -53,7 +53,7 @@ bool ComparedPicture::outdated(const ViewerState& state, const glm::ivec2& pixel
     return !drawn_ || !wanted.sameLeft(*drawn_) || !wanted.sameRight(*drawn_);
 }
 
-Result<bool> ComparedPicture::draw(StagedScene& scene, ViewerState& state, const glm::ivec2& pixels,
+Result<bool> ComparedPicture::draw(SceneInstance& scene, ViewerState& state, const glm::ivec2& pixels,
                                    const Rivals& rivals, FrameTimes& times) {
     const Basis wanted = basisOf(state, pixels, rivals);
     const std::shared_ptr<const TracedTruth>& truth = rivals.truth;
@@ -91,7 +91,7 @@ Result<bool> ComparedPicture::draw(StagedScene& scene, ViewerState& state, const
     return true;
 }
 
-AoStatus ComparedPicture::drawLeft(StagedScene& scene, const ViewerState& state,
+AoStatus ComparedPicture::drawLeft(SceneInstance& scene, const ViewerState& state,
                                    FrameTimes& times) {
     if (!state.occlusion) {
         scene.drawPlain(split_.left());
@@ -106,7 +106,7 @@ AoStatus ComparedPicture::drawLeft(StagedScene& scene, const ViewerState& state,
     return status;
 }
 
-AoStatus ComparedPicture::measureError(StagedScene& scene, ViewerState& state,
+AoStatus ComparedPicture::measureError(SceneInstance& scene, ViewerState& state,
                                        const TracedTruth* truth) {
     state.error.reset();
     difference_.reset();
@@ -128,7 +128,7 @@ AoStatus ComparedPicture::measureError(StagedScene& scene, ViewerState& state,
     return {};
 }
 
-AoStatus ComparedPicture::drawRight(StagedScene& scene, const ViewerState& state,
+AoStatus ComparedPicture::drawRight(SceneInstance& scene, const ViewerState& state,
                                     const Rivals& rivals) {
     if (state.rival == Rival::None) {
         return {};
@@ -164,7 +164,7 @@ AoStatus ComparedPicture::drawRight(StagedScene& scene, const ViewerState& state
     return {};
 }
 
-AoStatus ComparedPicture::showTruth(StagedScene& scene, const ViewerState& state,
+AoStatus ComparedPicture::showTruth(SceneInstance& scene, const ViewerState& state,
                                     const TracedTruth* truth, const host::HostFramebuffer& target) {
     if (truth == nullptr) {
         scene.drawPlain(target);

@@ -8,7 +8,7 @@
 #include "viewer/LitPicture.h"
 #include "viewer/OptionTexts.h"
 #include "viewer/SplitPicture.h"
-#include "viewer/StagedScene.h"
+#include "viewer/SceneInstance.h"
 #include "viewer/TracedPicture.h"
 #include "viewer/TruthWorker.h"
 #include "viewer/ViewerState.h"
@@ -32,7 +32,7 @@ public:
     /// @param times  gets the frame's, if the state has it measured.
     /// Returns whether anything was drawn. Errors: the library's; it is not tried again until
     /// something changes.
-    Result<bool> draw(StagedScene& scene, ViewerState& state, const glm::ivec2& pixels,
+    Result<bool> draw(SceneInstance& scene, ViewerState& state, const glm::ivec2& pixels,
                       const Rivals& rivals, FrameTimes& times);
     /// Whether another draw() of the same would show the same.
     bool settled() const { return settled_; }
@@ -61,11 +61,11 @@ private:
 
     static Basis basisOf(const ViewerState& state, const glm::ivec2& pixels, const Rivals& rivals);
     explicit ComparedPicture(const gl::Functions& gl) : split_(gl) {}
-    AoStatus drawLeft(StagedScene& scene, const ViewerState& state, FrameTimes& times);
-    AoStatus drawRight(StagedScene& scene, const ViewerState& state, const Rivals& rivals);
-    AoStatus showTruth(StagedScene& scene, const ViewerState& state, const TracedTruth* truth,
+    AoStatus drawLeft(SceneInstance& scene, const ViewerState& state, FrameTimes& times);
+    AoStatus drawRight(SceneInstance& scene, const ViewerState& state, const Rivals& rivals);
+    AoStatus showTruth(SceneInstance& scene, const ViewerState& state, const TracedTruth* truth,
                        const host::HostFramebuffer& target);
-    AoStatus measureError(StagedScene& scene, ViewerState& state, const TracedTruth* truth);
+    AoStatus measureError(SceneInstance& scene, ViewerState& state, const TracedTruth* truth);
 
     SplitPicture split_;
     TracedPicture traced_;

@@ -96,7 +96,7 @@ Options Viewer::optionsFor(const app::View& view) const {
 /// A failure leaves the old scene.
 app::MaybeFailure Viewer::adopt(app::View view) {
     const Options options = optionsFor(view);
-    auto staged = StagedScene::create(window_->session(), timer_, std::move(view));
+    auto staged = SceneInstance::create(window_->session(), timer_, std::move(view));
     if (!staged) {
         return staged.error();
     }

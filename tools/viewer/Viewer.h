@@ -71,7 +71,7 @@ private:
     std::unique_ptr<Gui> gui_;
     bench::PassTimer timer_;
     ComparedPicture picture_;
-    std::unique_ptr<StagedScene> scene_;
+    std::unique_ptr<SceneInstance> scene_;
     TruthWorker truth_;
     LightWorker lightWorker_;
     SceneLoader loader_;

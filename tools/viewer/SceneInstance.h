@@ -17,10 +17,10 @@ namespace aolib::viewer {
 
 /// A scene, described to the library and ready to be drawn, with and without ambient occlusion, by
 /// the backbone that is asked for or in screen space. Context: the window's, for every call.
-class StagedScene {
+class SceneInstance {
 public:
     /// @param session,timer  must outlive it. Errors: Graphics, BadInput.
-    static Result<std::unique_ptr<StagedScene>, app::Failure>
+    static Result<std::unique_ptr<SceneInstance>, app::Failure>
     create(const app::GlSession& session, bench::PassTimer& timer, app::View view);
 
     /// Takes a camera for the frames to come. @param aspect  width by height.
@@ -51,7 +51,7 @@ public:
     bool settled() const;
 
 private:
-    StagedScene(const app::GlSession& session, bench::PassTimer& timer, app::View view,
+    SceneInstance(const app::GlSession& session, bench::PassTimer& timer, app::View view,
                 AmbientOcclusion ao, host::HostRenderer renderer);
     AoStatus drawWith(AmbientOcclusion& ao, const host::HostFramebuffer& target,
                       std::vector<bench::PassTime>* measured);

@@ -1,4 +1,4 @@
-#include "viewer/StagedScene.h"
+#include "viewer/SceneInstance.h"
 
 #include <chrono>
 #include <utility>
@@ -34,8 +34,8 @@ Options inScreenSpace(Options options) {
     return options;
 }
 
-Result<std::unique_ptr<StagedScene>, app::Failure>
-StagedScene::create(const app::GlSession& session, bench::PassTimer& timer, app::View view) {
+Result<std::unique_ptr<SceneInstance>, app::Failure>
+SceneInstance::create(const app::GlSession& session, bench::PassTimer& timer, app::View view) {
     Result<AmbientOcclusion> ao = AmbientOcclusion::create(timer.wrap(session.loader()));
     if (!ao) {
         return app::failureOf(ao.status());
@@ -52,17 +52,17 @@ StagedScene::create(const app::GlSession& session, bench::PassTimer& timer, app:
     if (!renderer) {
         return app::failureOf(renderer.status());
     }
-    return std::unique_ptr<StagedScene>(
-        new StagedScene(session, timer, std::move(view), std::move(*ao), std::move(*renderer)));
+    return std::unique_ptr<SceneInstance>(
+        new SceneInstance(session, timer, std::move(view), std::move(*ao), std::move(*renderer)));
 }
 
-StagedScene::StagedScene(const app::GlSession& session, bench::PassTimer& timer, app::View view,
+SceneInstance::SceneInstance(const app::GlSession& session, bench::PassTimer& timer, app::View view,
                          AmbientOcclusion ao, host::HostRenderer renderer)
     : session_(&session), timer_(&timer), view_(std::move(view)), bounds_(view_.model.bounds()),
       triangles_(view_.model.triangleCount()), cameras_(camerasFor(view_.scene, view_.model)),
       ao_(std::move(ao)), renderer_(std::move(renderer)) {}
 
-void StagedScene::look(const NamedCamera& camera, float aspect) {
+void SceneInstance::look(const NamedCamera& camera, float aspect) {
     const glm::mat4 view = aolib::viewMatrix(camera);
     const glm::mat4 projection = projectionMatrix(camera, aspect);
     changed_ = changed_ || view != viewMatrix_ || projection != projection_;
@@ -71,16 +71,16 @@ void StagedScene::look(const NamedCamera& camera, float aspect) {
     projection_ = projection;
 }
 
-void StagedScene::finish() const {
+void SceneInstance::finish() const {
     session_->gl().Finish();
 }
 
-void StagedScene::drawPlain(const host::HostFramebuffer& target) {
+void SceneInstance::drawPlain(const host::HostFramebuffer& target) {
     target.bind();
     renderer_.draw(viewMatrix_, projection_);
 }
 
-AoStatus StagedScene::drawShaded(const host::HostFramebuffer& target, const Options& options,
+AoStatus SceneInstance::drawShaded(const host::HostFramebuffer& target, const Options& options,
                                  std::vector<bench::PassTime>* measured) {
     if (optionTexts(options) != optionTexts(ao_.options())) {
         if (AoStatus status = ao_.setOptions(options); !status) {
@@ -98,7 +98,7 @@ AoStatus StagedScene::drawShaded(const host::HostFramebuffer& target, const Opti
     return {};
 }
 
-AoStatus StagedScene::drawScreenSpace(const host::HostFramebuffer& target, const Options& options) {
+AoStatus SceneInstance::drawScreenSpace(const host::HostFramebuffer& target, const Options& options) {
     const Options wanted = inScreenSpace(options);
     if (!screenSpace_) {
         if (AoStatus status = openScreenSpace(wanted); !status) {
@@ -111,7 +111,7 @@ AoStatus StagedScene::drawScreenSpace(const host::HostFramebuffer& target, const
     return drawWith(*screenSpace_, target, nullptr);
 }
 
-AoStatus StagedScene::openScreenSpace(const Options& options) {
+AoStatus SceneInstance::openScreenSpace(const Options& options) {
     Result<AmbientOcclusion> ao = AmbientOcclusion::create(session_->loader(), options);
     if (!ao) {
         return ao.status();
@@ -123,7 +123,7 @@ AoStatus StagedScene::openScreenSpace(const Options& options) {
     return {};
 }
 
-AoStatus StagedScene::drawWith(AmbientOcclusion& ao, const host::HostFramebuffer& target,
+AoStatus SceneInstance::drawWith(AmbientOcclusion& ao, const host::HostFramebuffer& target,
                                std::vector<bench::PassTime>* measured) {
     if (AoStatus status = ao.aoSetCamera(viewMatrix_, projection_); !status) {
         return status;
@@ -150,7 +150,7 @@ AoStatus StagedScene::drawWith(AmbientOcclusion& ao, const host::HostFramebuffer
     return status;
 }
 
-bool StagedScene::settled() const {
+bool SceneInstance::settled() const {
     const Statistics statistics = ao_.statistics();
     if (changed_ || !statistics.converged || statistics.cubeMapsBuilt > 0) {
         return false;

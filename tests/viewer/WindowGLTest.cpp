@@ -190,7 +190,7 @@ TEST_F(WindowGLTest, TheTruthComesIsMeasuredAndForgottenWhenTheCameraMoves) {
                s["truth"]["noise"] != before["truth"]["noise"];
     });
     key("c");
-    waitFor("the difference", [](const json& s) { return s["rival"] == "difference"; });
+    waitFor("the difference", [](const json& s) { return s["compared"] == "difference"; });
     waitForRest();
     quit();
 }
@@ -225,7 +225,7 @@ TEST_F(WindowGLTest, EnvironmentsAreDroppedAndBadOnesLeaveTheOldOne) {
     EXPECT_EQ(state()["light"]["vertices"], 0) << "nobody has asked for it";
     openByPath("white.hdr");
     waitFor("baked vertices", [](const json& s) { return s["light"]["vertices"] > 0; });
-    EXPECT_EQ(state()["rival"], "environment");
+    EXPECT_EQ(state()["compared"], "environment");
     const std::string white = state()["environment"];
     EXPECT_NE(white.find("white.hdr"), std::string::npos);
     openByPath("broken.hdr");

@@ -95,7 +95,7 @@ TEST_F(WindowPictureGLTest, AnEnvironmentLightsTheSceneAsRenderDoes) {
                 "shown.png"},
                light));
     waitFor("baked vertices", [](const json& s) { return s["light"]["vertices"] > 0; });
-    EXPECT_EQ(state()["rival"], "environment");
+    EXPECT_EQ(state()["compared"], "environment");
     EXPECT_EQ(state()["environment"], "overcast");
     waitForRest();
     quit();

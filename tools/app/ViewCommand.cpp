@@ -53,7 +53,7 @@ MaybeFailure show(const ViewCommandFlags& flags) {
     if (MaybeFailure failure = checkFiles(flags.settings)) {
         return failure;
     }
-    if (flags.settings.rival == viewer::Rival::Environment) {
+    if (flags.settings.compared == viewer::ComparedMethod::Environment) {
         if (const auto map = openEnvironment(flags.settings.environment); !map) {
             return badInput(map.error().sentence);
         }
@@ -76,12 +76,13 @@ MaybeFailure show(const ViewCommandFlags& flags) {
 
 void attachWindow(CLI::App& command, viewer::ViewerSettings& settings) {
     const char* const group = "Window";
-    std::vector<std::pair<std::string, viewer::Rival>> rivals;
-    for (const viewer::RivalChoice& choice : viewer::kRivals) {
-        rivals.emplace_back(choice.name, choice.value);
+    std::vector<std::pair<std::string, viewer::ComparedMethod>> references;
+    for (const viewer::ComparedMethodChoice& choice : viewer::kComparedMethods) {
+        references.emplace_back(choice.name, choice.value);
     }
-    addChoice<viewer::Rival>(
-        command, "--compare", rivals, [&](viewer::Rival rival) { settings.rival = rival; },
+    addChoice<viewer::ComparedMethod>(
+        command, "--compare", references,
+        [&](viewer::ComparedMethod compared) { settings.compared = compared; },
         "what the right part of the picture shows")
         ->default_str("none")
         ->group(group);
@@ -102,7 +103,7 @@ void attachWindow(CLI::App& command, viewer::ViewerSettings& settings) {
         ->group(group);
     const auto takeEnvironment = [&](const std::string& name) {
         settings.environment = name;
-        settings.rival = viewer::Rival::Environment;
+        settings.compared = viewer::ComparedMethod::Environment;
     };
     command
         .add_option_function<std::string>(

@@ -52,7 +52,8 @@ struct FacadeRun::Impl {
 
     AoStatus giveOrTakeTracer(bool wanted);
     AoStatus buildOnce(const FacadeMethod& method, const std::vector<glm::vec3>& positions,
-                       const Truth& truth, const TimingSettings& timing, Measurement& m, Gathered& all);
+                       const Truth& truth, const TimingSettings& timing, Measurement& m,
+                       Gathered& all);
     AoStatus converge(const Options& options, const Truth& truth, const TimingSettings& timing,
                       Build& build, Measurement& m);
     AoStatus look(const Truth& truth, double spent, Build& build, Measurement& m);

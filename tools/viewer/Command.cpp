@@ -17,7 +17,7 @@ constexpr std::array kBindings{
     KeyBinding{GLFW_KEY_R, false, Command::ResetCamera, "R", "camera back to where it began"},
     KeyBinding{GLFW_KEY_N, false, Command::NextCamera, "N", "next camera of the scene"},
     KeyBinding{GLFW_KEY_O, false, Command::Occlusion, "O", "ambient occlusion on or off"},
-    KeyBinding{GLFW_KEY_C, false, Command::NextRival, "C", "compare with the next"},
+    KeyBinding{GLFW_KEY_C, false, Command::NextComparedMethod, "C", "compare with the next"},
     KeyBinding{GLFW_KEY_V, false, Command::NextDebugView, "V", "next debug view"},
     KeyBinding{GLFW_KEY_B, false, Command::NextBackbone, "B", "next backbone"},
     KeyBinding{GLFW_KEY_T, false, Command::NextEstimator, "T", "next estimator"},

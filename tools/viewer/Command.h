@@ -15,7 +15,7 @@ enum class Command : std::uint8_t {
     ResetCamera,
     NextCamera,
     Occlusion,
-    NextRival,
+    NextComparedMethod,
     NextDebugView,
     NextBackbone,
     NextEstimator,

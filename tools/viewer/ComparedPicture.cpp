@@ -26,8 +26,8 @@ bool ComparedPicture::Basis::sameLeft(const Basis& other) const {
 
 bool ComparedPicture::Basis::sameRight(const Basis& other) const {
     return same(camera, other.camera) && options == other.options && pixels == other.pixels &&
-           rival == other.rival && rivals.truth == other.rivals.truth &&
-           rivals.light == other.rivals.light;
+           compared == other.compared && references.truth == other.references.truth &&
+           references.light == other.references.light;
 }
 
 Result<ComparedPicture> ComparedPicture::create(const gl::Functions& gl) {
@@ -41,26 +41,27 @@ Result<ComparedPicture> ComparedPicture::create(const gl::Functions& gl) {
 }
 
 ComparedPicture::Basis ComparedPicture::basisOf(const ViewerState& state, const glm::ivec2& pixels,
-                                                const Rivals& rivals) {
+                                                const References& references) {
     return {state.camera.camera(), optionTexts(state.options),
             state.occlusion,       pixels,
-            state.rival,           rivals};
+            state.compared,        references};
 }
 
 bool ComparedPicture::outdated(const ViewerState& state, const glm::ivec2& pixels,
-                               const Rivals& rivals) const {
-    const Basis wanted = basisOf(state, pixels, rivals);
+                               const References& references) const {
+    const Basis wanted = basisOf(state, pixels, references);
     return !drawn_ || !wanted.sameLeft(*drawn_) || !wanted.sameRight(*drawn_);
 }
 
-Result<bool> ComparedPicture::draw(SceneInstance& scene, ViewerState& state, const glm::ivec2& pixels,
-                                   const Rivals& rivals, FrameTimes& times) {
-    const Basis wanted = basisOf(state, pixels, rivals);
-    const std::shared_ptr<const TracedTruth>& truth = rivals.truth;
+Result<bool> ComparedPicture::draw(SceneInstance& scene, ViewerState& state,
+                                   const glm::ivec2& pixels, const References& references,
+                                   FrameTimes& times) {
+    const Basis wanted = basisOf(state, pixels, references);
+    const std::shared_ptr<const TracedTruth>& truth = references.truth;
     const bool left = !drawn_ || !wanted.sameLeft(*drawn_) || !settled_;
     const bool right = !drawn_ || !wanted.sameRight(*drawn_);
     const bool otherTruth =
-        !drawn_ || drawn_->rivals.truth != truth || drawn_->rival != state.rival;
+        !drawn_ || drawn_->references.truth != truth || drawn_->compared != state.compared;
     drawn_ = wanted;
     if (!left && !right) {
         return false;
@@ -83,8 +84,8 @@ Result<bool> ComparedPicture::draw(SceneInstance& scene, ViewerState& state, con
         }
         measuredAtRest_ = settled_;
     }
-    if (right || state.rival == Rival::Difference) {
-        if (AoStatus status = drawRight(scene, state, rivals); !status) {
+    if (right || state.compared == ComparedMethod::Difference) {
+        if (AoStatus status = drawRight(scene, state, references); !status) {
             return status;
         }
     }
@@ -110,7 +111,7 @@ AoStatus ComparedPicture::measureError(SceneInstance& scene, ViewerState& state,
                                        const TracedTruth* truth) {
     state.error.reset();
     difference_.reset();
-    if (truth == nullptr || !state.occlusion || !needsTruth(state.rival)) {
+    if (truth == nullptr || !state.occlusion || !needsTruth(state.compared)) {
         return {};
     }
     Result<VisibilityImage> read = scene.ao().readVisibility();
@@ -120,7 +121,7 @@ AoStatus ComparedPicture::measureError(SceneInstance& scene, ViewerState& state,
     FloatImage visibility(read->width, read->height, 1);
     visibility.pixels = std::move(read->visibility);
     state.error = viewError(visibility, truth->visibility, truth->noise);
-    if (state.rival == Rival::Difference && state.error) {
+    if (state.compared == ComparedMethod::Difference && state.error) {
         if (auto picture = differencePicture(visibility, truth->visibility, kFullDifference)) {
             difference_ = std::move(*picture);
         }
@@ -129,20 +130,20 @@ AoStatus ComparedPicture::measureError(SceneInstance& scene, ViewerState& state,
 }
 
 AoStatus ComparedPicture::drawRight(SceneInstance& scene, const ViewerState& state,
-                                    const Rivals& rivals) {
-    if (state.rival == Rival::None) {
+                                    const References& references) {
+    if (state.compared == ComparedMethod::None) {
         return {};
     }
     const Result<const host::HostFramebuffer*> target = split_.right();
     if (!target) {
         return target.status();
     }
-    switch (state.rival) {
-    case Rival::ScreenSpace:
+    switch (state.compared) {
+    case ComparedMethod::ScreenSpace:
         return scene.drawScreenSpace(**target, state.options);
-    case Rival::Truth:
-        return showTruth(scene, state, rivals.truth.get(), **target);
-    case Rival::Difference:
+    case ComparedMethod::Truth:
+        return showTruth(scene, state, references.truth.get(), **target);
+    case ComparedMethod::Difference:
         if (difference_) {
             (*target)->bind();
             traced_.upload(*difference_);
@@ -150,14 +151,14 @@ AoStatus ComparedPicture::drawRight(SceneInstance& scene, const ViewerState& sta
             return {};
         }
         break;
-    case Rival::Environment:
-        if (rivals.light.ready()) {
-            return lit_.draw(scene.session(), rivals.light, scene.viewMatrix(), scene.projection(),
-                             **target, traced_);
+    case ComparedMethod::Environment:
+        if (references.light.ready()) {
+            return lit_.draw(scene.session(), references.light, scene.viewMatrix(),
+                             scene.projection(), **target, traced_);
         }
         break;
-    case Rival::None:
-    case Rival::Host:
+    case ComparedMethod::None:
+    case ComparedMethod::Host:
         break;
     }
     scene.drawPlain(**target);
@@ -185,7 +186,7 @@ void ComparedPicture::present(const ViewerState& state) const {
     const int width = split_.size().x;
     const int column =
         static_cast<int>(std::lround(state.split.share() * static_cast<float>(width)));
-    split_.present(state.rival == Rival::None ? width : column);
+    split_.present(state.compared == ComparedMethod::None ? width : column);
 }
 
 } // namespace aolib::viewer

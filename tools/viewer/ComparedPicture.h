@@ -7,8 +7,8 @@
 #include "viewer/FrameTimes.h"
 #include "viewer/LitPicture.h"
 #include "viewer/OptionTexts.h"
-#include "viewer/SplitPicture.h"
 #include "viewer/SceneInstance.h"
+#include "viewer/SplitPicture.h"
 #include "viewer/TracedPicture.h"
 #include "viewer/TruthWorker.h"
 #include "viewer/ViewerState.h"
@@ -16,7 +16,7 @@
 namespace aolib::viewer {
 
 /// What a picture may be compared with that takes a while to be had.
-struct Rivals {
+struct References {
     std::shared_ptr<const TracedTruth> truth; ///< null until there is one of this view
     Light light;
 };
@@ -33,12 +33,13 @@ public:
     /// Returns whether anything was drawn. Errors: the library's; it is not tried again until
     /// something changes.
     Result<bool> draw(SceneInstance& scene, ViewerState& state, const glm::ivec2& pixels,
-                      const Rivals& rivals, FrameTimes& times);
+                      const References& references, FrameTimes& times);
     /// Whether another draw() of the same would show the same.
     bool settled() const { return settled_; }
 
     /// Whether it shows something else than what is wanted, rather than the same less well.
-    bool outdated(const ViewerState& state, const glm::ivec2& pixels, const Rivals& rivals) const;
+    bool outdated(const ViewerState& state, const glm::ivec2& pixels,
+                  const References& references) const;
 
     /// Copies it to the window.
     void present(const ViewerState& state) const;
@@ -52,17 +53,19 @@ private:
         std::vector<OptionText> options;
         bool occlusion = true;
         glm::ivec2 pixels{0};
-        Rival rival = Rival::None;
-        Rivals rivals;
+        ComparedMethod compared = ComparedMethod::None;
+        References references;
 
         bool sameLeft(const Basis& other) const;
         bool sameRight(const Basis& other) const;
     };
 
-    static Basis basisOf(const ViewerState& state, const glm::ivec2& pixels, const Rivals& rivals);
+    static Basis basisOf(const ViewerState& state, const glm::ivec2& pixels,
+                         const References& references);
     explicit ComparedPicture(const gl::Functions& gl) : split_(gl) {}
     AoStatus drawLeft(SceneInstance& scene, const ViewerState& state, FrameTimes& times);
-    AoStatus drawRight(SceneInstance& scene, const ViewerState& state, const Rivals& rivals);
+    AoStatus drawRight(SceneInstance& scene, const ViewerState& state,
+                       const References& references);
     AoStatus showTruth(SceneInstance& scene, const ViewerState& state, const TracedTruth* truth,
                        const host::HostFramebuffer& target);
     AoStatus measureError(SceneInstance& scene, ViewerState& state, const TracedTruth* truth);

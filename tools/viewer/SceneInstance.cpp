@@ -57,7 +57,7 @@ SceneInstance::create(const app::GlSession& session, bench::PassTimer& timer, ap
 }
 
 SceneInstance::SceneInstance(const app::GlSession& session, bench::PassTimer& timer, app::View view,
-                         AmbientOcclusion ao, host::HostRenderer renderer)
+                             AmbientOcclusion ao, host::HostRenderer renderer)
     : session_(&session), timer_(&timer), view_(std::move(view)), bounds_(view_.model.bounds()),
       triangles_(view_.model.triangleCount()), cameras_(camerasFor(view_.scene, view_.model)),
       ao_(std::move(ao)), renderer_(std::move(renderer)) {}
@@ -81,7 +81,7 @@ void SceneInstance::drawPlain(const host::HostFramebuffer& target) {
 }
 
 AoStatus SceneInstance::drawShaded(const host::HostFramebuffer& target, const Options& options,
-                                 std::vector<bench::PassTime>* measured) {
+                                   std::vector<bench::PassTime>* measured) {
     if (optionTexts(options) != optionTexts(ao_.options())) {
         if (AoStatus status = ao_.setOptions(options); !status) {
             return status;
@@ -98,7 +98,8 @@ AoStatus SceneInstance::drawShaded(const host::HostFramebuffer& target, const Op
     return {};
 }
 
-AoStatus SceneInstance::drawScreenSpace(const host::HostFramebuffer& target, const Options& options) {
+AoStatus SceneInstance::drawScreenSpace(const host::HostFramebuffer& target,
+                                        const Options& options) {
     const Options wanted = inScreenSpace(options);
     if (!screenSpace_) {
         if (AoStatus status = openScreenSpace(wanted); !status) {
@@ -124,7 +125,7 @@ AoStatus SceneInstance::openScreenSpace(const Options& options) {
 }
 
 AoStatus SceneInstance::drawWith(AmbientOcclusion& ao, const host::HostFramebuffer& target,
-                               std::vector<bench::PassTime>* measured) {
+                                 std::vector<bench::PassTime>* measured) {
     if (AoStatus status = ao.aoSetCamera(viewMatrix_, projection_); !status) {
         return status;
     }

@@ -52,7 +52,7 @@ public:
 
 private:
     SceneInstance(const app::GlSession& session, bench::PassTimer& timer, app::View view,
-                AmbientOcclusion ao, host::HostRenderer renderer);
+                  AmbientOcclusion ao, host::HostRenderer renderer);
     AoStatus drawWith(AmbientOcclusion& ao, const host::HostFramebuffer& target,
                       std::vector<bench::PassTime>* measured);
     AoStatus openScreenSpace(const Options& options);

@@ -167,18 +167,19 @@ void SidePanel::drawComparison(ViewerState& state, const PanelFacts& facts) {
     ImGui::TextUnformatted("with");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-1.0F);
-    if (ImGui::BeginCombo("##rival", std::string(choiceOf(state.rival).label).c_str())) {
-        for (const RivalChoice& choice : kRivals) {
-            if (ImGui::Selectable(std::string(choice.label).c_str(), choice.value == state.rival)) {
-                state.rival = choice.value;
+    if (ImGui::BeginCombo("##compared", std::string(choiceOf(state.compared).label).c_str())) {
+        for (const ComparedMethodChoice& choice : kComparedMethods) {
+            if (ImGui::Selectable(std::string(choice.label).c_str(),
+                                  choice.value == state.compared)) {
+                state.compared = choice.value;
             }
         }
         ImGui::EndCombo();
     }
-    if (needsTruth(state.rival)) {
+    if (needsTruth(state.compared)) {
         drawTruth(state, facts.truth);
     }
-    if (state.rival == Rival::Environment) {
+    if (state.compared == ComparedMethod::Environment) {
         drawLight(state, facts.light);
     }
 }

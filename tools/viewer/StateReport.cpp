@@ -48,7 +48,7 @@ std::string stateReport(const ViewerState& state, const PanelFacts& facts, const
     json["eye"] = list(camera.eye);
     json["target"] = list(camera.target);
     json["occlusion"] = state.occlusion;
-    json["rival"] = std::string(choiceOf(state.rival).name);
+    json["compared"] = std::string(choiceOf(state.compared).name);
     json["split"] = state.split.share();
     json["panel"] = state.panel;
     json["help"] = state.help;

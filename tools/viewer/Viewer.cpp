@@ -67,7 +67,7 @@ Viewer::Viewer(ViewerSettings settings, std::unique_ptr<Window> window, std::uni
       panel_(settings_.options, kPanelWidth * window_->contentScale()) {
     state_.options = settings_.options;
     state_.camera.mode = settings_.mode;
-    state_.rival = settings_.rival;
+    state_.compared = settings_.compared;
     state_.split.place(settings_.split);
     state_.truthRays = settings_.truthRays;
     state_.environment = settings_.environment;
@@ -204,7 +204,7 @@ void Viewer::follow(const Input& input, float seconds) {
     }
     const glm::vec2 size = pictureSize();
     const ButtonDrag& left = input.of(MouseButton::Left);
-    if (state_.rival != Rival::None) {
+    if (state_.compared != ComparedMethod::None) {
         state_.split.follow(left, size.x);
     }
     if (left.pressed) {
@@ -215,7 +215,7 @@ void Viewer::follow(const Input& input, float seconds) {
 }
 
 void Viewer::followTruth() {
-    if (!needsTruth(state_.rival)) {
+    if (!needsTruth(state_.compared)) {
         truth_.stop();
     } else {
         const NamedCamera& camera = state_.camera.camera();
@@ -242,10 +242,11 @@ void Viewer::drawPicture() {
     // Where pictures take long, the panel is not to be slow because of one that only gets better.
     const bool busyHands = guiFrames_ > 0 && !settings_.frames;
     if (busyHands && secondsSince(latestPicture_) < kHandsFirst * drawSeconds_ &&
-        !picture_.outdated(state_, picturePixels(), rivals())) {
+        !picture_.outdated(state_, picturePixels(), references())) {
         return;
     }
-    const Result<bool> drawn = picture_.draw(*scene_, state_, picturePixels(), rivals(), times_);
+    const Result<bool> drawn =
+        picture_.draw(*scene_, state_, picturePixels(), references(), times_);
     if (!drawn) {
         messages_.warn(drawn.status().message());
         guiFrames_ = kGuiFrames;
@@ -263,9 +264,9 @@ void Viewer::drawGui() {
     PanelActions actions;
     gui_->beginFrame();
     drawMarks(size);
-    if (state_.rival != Rival::None) {
+    if (state_.compared != ComparedMethod::None) {
         drawSplit(state_.split, size, state_.occlusion ? "aolib" : "without ambient occlusion",
-                  std::string(choiceOf(state_.rival).label));
+                  std::string(choiceOf(state_.compared).label));
     }
     if (state_.panel) {
         panel_.draw(size.x, size.y, state_, facts(), actions);

@@ -42,7 +42,7 @@ private:
     void takeScene();
     void followTruth();
     void followLight();
-    Rivals rivals() const;
+    References references() const;
     void drawPicture();
     void drawGui();
     app::MaybeFailure saveWhatIsDue();

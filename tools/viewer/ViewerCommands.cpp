@@ -66,8 +66,10 @@ void Viewer::execute(Command command) {
     }
     case Command::Occlusion:
         return toggle(state_.occlusion);
-    case Command::NextRival:
-        state_.rival = kRivals[(static_cast<std::size_t>(state_.rival) + 1) % kRivals.size()].value;
+    case Command::NextComparedMethod:
+        state_.compared = kComparedMethods[(static_cast<std::size_t>(state_.compared) + 1) %
+                                           kComparedMethods.size()]
+                              .value;
         return;
     case Command::NextDebugView:
         state_.options.debugView = following(state_.options.debugView, kDebugViewChoices);
@@ -121,7 +123,7 @@ void Viewer::goToCamera(const NamedCamera& camera) {
 void Viewer::openScene(const std::string& nameOrPath) {
     if (isEnvironmentFile(nameOrPath)) {
         state_.environment = nameOrPath;
-        state_.rival = Rival::Environment;
+        state_.compared = ComparedMethod::Environment;
         return;
     }
     if (loader_.busy()) {

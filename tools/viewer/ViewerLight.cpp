@@ -7,7 +7,7 @@
 namespace aolib::viewer {
 
 void Viewer::followLight() {
-    if (state_.rival != Rival::Environment) {
+    if (state_.compared != ComparedMethod::Environment) {
         // What is baked is kept: it is true as long as the scene is there.
         if (lightState_.working) {
             lightWorker_.stop();
@@ -30,7 +30,7 @@ void Viewer::followLight() {
     lightState_ = lightWorker_.state();
 }
 
-Rivals Viewer::rivals() const {
+References Viewer::references() const {
     return {truthState_.truth, {lightState_.scene, environment_, state_.turn, state_.stops}};
 }
 

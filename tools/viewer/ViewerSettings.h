@@ -6,7 +6,7 @@
 #include "app/View.h"
 #include "bench/environment/LitScene.h"
 #include "viewer/CameraControl.h"
-#include "viewer/Rival.h"
+#include "viewer/ComparedMethod.h"
 
 namespace aolib::viewer {
 
@@ -15,7 +15,7 @@ struct ViewerSettings {
     app::View view;      ///< the first scene; its size is that of the picture beside the panel
     Options options;     ///< of the first scene, the radius above 0
     bool invited = true; ///< the scene was the user's wish; else the window says what may be done
-    Rival rival = Rival::None;
+    ComparedMethod compared = ComparedMethod::None;
     float split = 0.5F;
     int truthRays = 256;
     std::string environment = "sunny"; ///< that "environment" compares with

@@ -9,7 +9,7 @@
 
 #include "viewer/CameraControl.h"
 #include "viewer/Command.h"
-#include "viewer/Rival.h"
+#include "viewer/ComparedMethod.h"
 #include "viewer/SplitLine.h"
 #include "viewer/ViewError.h"
 
@@ -20,7 +20,7 @@ struct ViewerState {
     CameraControl camera;
     Options options;
     bool occlusion = true; ///< off: the left part is the host's picture, too
-    Rival rival = Rival::None;
+    ComparedMethod compared = ComparedMethod::None;
     SplitLine split;
     int truthRays = 256;               ///< per pixel
     std::string environment = "sunny"; ///< that lights the right part: a generated one, or a file

@@ -67,6 +67,7 @@ void RasterTexels::sceneChanged(CubeMapProjector& projector, const Scene::Change
         boxVisibility_.isVisible(context_, projector, atlas_.faces, region)) {
         for (const int tile : projector.tilesTowards(region)) {
             projector.setOutdated(tile);
+            framesAtRest_ = 0;
         }
     } else if (atlas_.pages.kind() == PageKind::HiddenLayer) { // of what it does not see
         projector.releasePages(region);
@@ -81,7 +82,7 @@ bool RasterTexels::mayRestart(const CubeMapProjector& projector) const {
     if (work == nullptr || !hasPending(projector)) {
         return true;
     }
-    return work->mayBreak && work->capture.ready &&
+    return (work->mayBreak || framesAtRest_ > kRestFrames) && work->capture.ready &&
            projector.tiles().fewestPasses() >= std::min(kFirstPasses, passes());
 }
 
@@ -168,6 +169,7 @@ AoStatus RasterTexels::complete(CubeMapProjector& projector) {
 
 void RasterTexels::beginFrame(const std::vector<CubeMapProjector*>& projectors) {
     projectors_ = projectors;
+    ++framesAtRest_;
     for (auto& [id, work] : works_) {
         ++work.idleFrames;
     }

@@ -43,6 +43,8 @@ public:
 private:
     /// Frames for which a capture is kept after its last use: a turning camera requests more.
     static constexpr int kIdleFrames = 30;
+    /// Frames without a change after which work on an older scene is broken off in any case.
+    static constexpr int kRestFrames = 8;
 
     struct Work {
         CubeMapCapture capture;
@@ -84,6 +86,7 @@ private:
     std::vector<CubeMapProjector*> projectors_; ///< of the frame
     std::map<CubeMapId, Work> works_;
     std::set<CubeMapId> brokenOff_; ///< whose last work was not ended
+    int framesAtRest_ = 0;          ///< since a change of the scene altered a tile
 };
 
 } // namespace aolib

@@ -18,6 +18,6 @@ void main() {
         return;
     }
     float exit = abs(texelFetch(uExit, texel, 0).r);
-    outInterval = vec4(entry.r, exit > 0.0 ? exit : entry.g == kSheetEntry ? entry.r : kInfinite,
+    outInterval = vec4(entry.r, exit > 0.0 ? exit : entry.g == kOpenMeshEntry ? entry.r : kInfinite,
                        entry.zw);
 }

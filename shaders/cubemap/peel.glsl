@@ -28,5 +28,5 @@ bool enters() {
 }
 
 // Whether solid begins, or ends, behind a fragment of an open mesh.
-bool opensLid() { return vShell != 0.0 && frontFaces() == (vShell > 0.0); }
+bool opensShell() { return vShell != 0.0 && frontFaces() == (vShell > 0.0); }
 bool closesShell() { return vShell != 0.0 && frontFaces() != (vShell > 0.0); }

@@ -12,7 +12,7 @@ uniform bool uFirstLayer;
 // what depth changes by from texel to texel. Rounding would choose now the one, now the other.
 const float kCreaseShare = 0.01;
 
-layout(location = 0) out vec4 outEntry; // distance, solid or kSheetEntry or kShellEntry, normals
+layout(location = 0) out vec4 outEntry; // distance, solid or kOpenMeshEntry or kShellEntry, normals
 
 void main() {
     // Before any discard: the plane needs its neighbours.
@@ -32,7 +32,7 @@ void main() {
             discard;
         }
     }
-    float what = vSolid > 0.0 ? vSolid : opensLid() ? kShellEntry : kSheetEntry;
+    float what = vSolid > 0.0 ? vSolid : opensShell() ? kShellEntry : kOpenMeshEntry;
     vec3 normal = seenNormal(plane, vNormal);
     outEntry = vec4(distance, what, normal == plane ? encodeNormal(plane) : encodeNormals(plane, normal));
 }

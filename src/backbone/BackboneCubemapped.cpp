@@ -137,7 +137,7 @@ AoStatus BackboneCubemapped::beginPreparing(std::span<const glm::vec3> positions
 Result<CubeMapProjector*> BackboneCubemapped::placeToPrepare(const glm::vec3& position) {
     const glm::vec3 at = Placement::freePosition(context_.scene, position);
     const auto stands = [&](const auto* one) { return one->position() == at; };
-    if (std::ranges::any_of(placedByHand(), stands)) {
+    if (std::ranges::any_of(pinned(), stands)) {
         return nullptr;
     }
     if (AoStatus status = cubeMaps_.makeRoomAtOnce(); !status) {
@@ -146,7 +146,7 @@ Result<CubeMapProjector*> BackboneCubemapped::placeToPrepare(const glm::vec3& po
     return cubeMaps_.add(at, /*pinned=*/true);
 }
 
-std::vector<CubeMapProjector*> BackboneCubemapped::placedByHand() const {
+std::vector<CubeMapProjector*> BackboneCubemapped::pinned() const {
     std::vector<CubeMapProjector*> placed;
     for (const auto& projector : cubeMaps_.all()) {
         if (projector->isPinned()) {
@@ -157,7 +157,7 @@ std::vector<CubeMapProjector*> BackboneCubemapped::placedByHand() const {
 }
 
 Result<float> BackboneCubemapped::goOnPreparing(double milliseconds) {
-    const std::vector<CubeMapProjector*> placed = placedByHand();
+    const std::vector<CubeMapProjector*> placed = pinned();
     if (AoStatus status = updateScene(); !status) {
         return status;
     }

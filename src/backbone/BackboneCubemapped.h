@@ -99,7 +99,7 @@ private:
     /// Position of the cube map that a view needs, world units; none where it needs none.
     std::optional<glm::vec3> positionWhereDue(const FrameContext& context,
                                               const CubemappedView& view) const;
-    std::vector<CubeMapProjector*> placedByHand() const;
+    std::vector<CubeMapProjector*> pinned() const;
     /// Places one of prepare(). @return null where one stands already
     Result<CubeMapProjector*> placeToPrepare(const glm::vec3& position);
     ProjectedCubeMaps projected(const CubemappedView& view) const;
@@ -127,7 +127,7 @@ private:
     TexelSources sources_;
     BuildSchedule schedule_;
     FrameBudget budget_;
-    float builtRadius_ = 0.0F; ///< of the cube maps that are not dirty, world units
+    float builtRadius_ = 0.0F; ///< of the cube maps, world units
     float prepared_ = 0.0F;    ///< share of what is prepared
 };
 

@@ -283,10 +283,10 @@ bool BackboneCubemapped::needsFallback(const CubemappedView& view) const {
 }
 
 float BackboneCubemapped::shareComputed(const std::vector<CubeMapProjector*>& projectors) const {
-    const int blockWeight = cubeMaps_.atlas().pages.scale() * cubeMaps_.atlas().pages.scale();
+    const int pageWeight = cubeMaps_.atlas().pages.scale() * cubeMaps_.atlas().pages.scale();
     TileTable::Share sum;
     for (const CubeMapProjector* projector : projectors) {
-        const TileTable::Share share = projector->tiles().share(schedule_.passes(), blockWeight);
+        const TileTable::Share share = projector->tiles().share(schedule_.passes(), pageWeight);
         sum.done += share.done;
         sum.needed += share.needed;
     }

@@ -21,7 +21,7 @@ public:
                     std::span<const glm::vec3> cubeMaps, float sceneSize);
 
     /// Where a camera looks from, as far as cube maps are concerned: the eye of a perspective one.
-    /// Lines of viewpoint that are parallel have no eye: there it is a place before what the view
+    /// Parallel lines of sight have no eye: there it is a place before what the view
     /// shows of the scene, as far away as texels are still fine enough, since the farther the more
     /// of what the view sees is seen from there; and no nearer than where it fills a right angle.
     /// Where the near plane cuts the scene it is on that plane.

@@ -50,7 +50,7 @@ public:
     /// Canonical.
     const glm::dmat4& projection() const { return projection_; }
 
-    /// Whether lines of viewpoint are parallel.
+    /// Whether lines of sight are parallel.
     bool orthographic() const { return projection_[2][3] == 0.0; }
     /// Whether nearer points have the larger clip depth.
     bool reversedDepth() const;

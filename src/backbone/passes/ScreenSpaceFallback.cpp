@@ -13,7 +13,7 @@ constexpr int kFallbackDepthUnit = 0;
 constexpr int kMaskUnit = 1;
 constexpr int kSides = 8; ///< half slices
 constexpr int kSteps = 8; ///< of each
-/// Assumed depth of what is in viewpoint, in radii, where no option says another (docs/accuracy.md
+/// Assumed depth of visible surfaces, in radii, where no option says another (docs/accuracy.md
 /// has the errors of others).
 constexpr float kFallbackThickness = 0.5F;
 

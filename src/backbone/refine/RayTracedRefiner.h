@@ -14,7 +14,7 @@
 namespace aolib {
 
 /// Traces the pixels of low confidence, as at edges finer than any texel, along their own
-/// lines of viewpoint.
+/// lines of sight.
 class RayTracedRefiner final : public AbstractPixelRefiner {
 public:
     /// Makes the shader that finds pixels of low confidence, for all views. Errors: ShaderError.

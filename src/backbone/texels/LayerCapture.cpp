@@ -62,7 +62,7 @@ bool LayerCapture::waits() const {
 LayerCapture::LayerCapture(const BackboneContext& context, const FaceCapture& faces,
                            std::vector<float> around, LayerPeeling& peeling, int most)
     : context_(context), faces_(faces), peeling_(peeling), most_(most) {
-    around.resize(std::min(around.size(), LayerPeeling::kMostAround));
+    around.resize(std::min(around.size(), LayerPeeling::kMostEnclosing));
     marks_.around = std::move(around);
 }
 
@@ -181,28 +181,28 @@ AoStatus LayerCapture::readSides() {
     }
     nextFace();
     if (stage_ != Stage::ReadSides) {
-        marks_.unusual = unusualSheets();
+        marks_.unusual = unusualOpenMeshes();
     }
     return {};
 }
 
-std::vector<float> LayerCapture::unusualSheets() const {
+std::vector<float> LayerCapture::unusualOpenMeshes() const {
     std::vector<std::pair<std::size_t, float>> found;
-    for (const auto& [sheet, sides] : seen_) {
+    for (const auto& [openMesh, sides] : seen_) {
         const std::size_t texels = sides.front + sides.back;
         const double cracks = kShareOfCracks * static_cast<double>(texels);
         if (static_cast<double>(sides.back) > cracks) {
             const bool onlyBacks = static_cast<double>(sides.front) <= cracks;
-            found.emplace_back(texels, static_cast<float>(onlyBacks ? -sheet : sheet));
+            found.emplace_back(texels, static_cast<float>(onlyBacks ? -openMesh : openMesh));
         }
     }
     std::sort(found.rbegin(), found.rend()); // those seen most first
-    std::vector<float> sheets;
+    std::vector<float> openMeshes;
     for (const auto& entry : found) {
-        sheets.push_back(entry.second);
+        openMeshes.push_back(entry.second);
     }
-    sheets.resize(std::min(sheets.size(), LayerPeeling::kMostUnusual));
-    return sheets;
+    openMeshes.resize(std::min(openMeshes.size(), LayerPeeling::kMostUnusual));
+    return openMeshes;
 }
 
 // ---- How many layers there are ------------------------------------------------------------------

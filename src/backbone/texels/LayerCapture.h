@@ -70,7 +70,7 @@ private:
     int firstLayer(int face) const;
     /// Goes on to the next face, or else to the next stage.
     void nextFace();
-    std::vector<float> unusualSheets() const;
+    std::vector<float> unusualOpenMeshes() const;
     std::size_t at() const { return static_cast<std::size_t>(face_); }
 
     const BackboneContext& context_;

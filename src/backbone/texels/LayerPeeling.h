@@ -11,14 +11,14 @@ namespace aolib {
 /// each texel's ray, nearest first.
 ///
 /// Open meshes are mostly seen from one side only, as walls and hulls are: then what lies behind
-/// that side, up to the next surface, is out of viewpoint, and taking it as solid is right wherever
+/// that side, up to the next surface, is out of sight, and taking it as solid is right wherever
 /// a ray comes from. Open meshes that show both sides (leaves, cloth) stay without
 /// thickness.
 class LayerPeeling {
 public:
     /// Solids that may contain a cube's centre, as shaders/cubemap/peel.glsl has room for.
-    static constexpr std::size_t kMostAround = 16;
-    /// Sheets that are no lids, as shaders/cubemap/peel.vert has room for.
+    static constexpr std::size_t kMostEnclosing = 16;
+    /// Open meshes that are no one-sided shells, as shaders/cubemap/peel.vert has room for.
     static constexpr std::size_t kMostUnusual = 128;
 
     /// What the passes read of the whole scene.

@@ -50,7 +50,7 @@ private:
         CubeMapCapture capture;
         std::set<int> tiles;  ///< that have had passes from this capture
         std::set<int> toKeep; ///< of these, those that are still to be written once more
-        Bounds changed;       ///< what is not as it was captured, out of viewpoint
+        Bounds changed;       ///< what is not as it was captured, out of sight
         bool mayBreak = true; ///< it may be broken off: the one before was not
         int idleFrames = 0;
     };

@@ -9,7 +9,8 @@ namespace aolib {
 namespace {
 
 RefinerKind refinerFor(const BackboneContext& context) {
-    if (!context.options.cubeMaps.refineStaticViews || context.scene.meshes().empty() || context.renderer) {
+    if (!context.options.cubeMaps.refineStaticViews || context.scene.meshes().empty() ||
+        context.renderer) {
         return RefinerKind::None;
     }
     const EstimatorTraits& traits = traitsOf(context.options.estimator);

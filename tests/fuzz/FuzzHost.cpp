@@ -112,8 +112,7 @@ void FuzzHost::frame() {
     const Statistics s = ao_->statistics(view);
     require(s.computed >= 0.0F && s.computed <= 1.0F, "shares lie in their range");
     const glm::ivec2 size = kFuzzSizes.at(framebuffer_);
-    require(s.pixelsRefined <= static_cast<std::size_t>(size.x * size.y),
-            "pixels are of the view");
+    require(s.pixelsRefined <= static_cast<std::size_t>(size.x * size.y), "pixels are of the view");
 }
 
 /// Without a budget, a view is done when it has been seen twice.

@@ -84,7 +84,8 @@ TEST_F(WindowGLTest, OptionsChangeByKeysAndByTheMouse) {
 
     const json place = state()["widgets"]["refine-static-views"];
     click(place[0].get<double>() + 8.0, place[1].get<double>() + 8.0);
-    waitFor("no repair", [](const json& s) { return s["options"]["refine-static-views"] == "off"; });
+    waitFor("no repair",
+            [](const json& s) { return s["options"]["refine-static-views"] == "off"; });
     const json slider = state()["widgets"]["contrast"];
     click(slider[0].get<double>() + 0.5 * slider[2].get<double>(), slider[1].get<double>() + 8.0);
     waitFor("half the contrast", [](const json& s) {

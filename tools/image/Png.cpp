@@ -59,7 +59,8 @@ Result<ByteImage, ImageError> readPng(const std::filesystem::path& file) {
     }
     const Result<stb::TopDownPixels, ImageError> decoded = stb::decodePng(*content);
     if (!decoded) {
-        return ImageError{file.string() + ": not a PNG that can be read: " + decoded.error().message};
+        return ImageError{file.string() +
+                          ": not a PNG that can be read: " + decoded.error().message};
     }
     ByteImage image;
     image.width = decoded->width;

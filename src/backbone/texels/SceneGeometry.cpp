@@ -77,7 +77,8 @@ std::size_t SceneGeometry::bytes() const {
     return sum;
 }
 
-std::vector<float> SceneGeometry::enclosingSolids(const Scene& scene, const glm::vec3& point) const {
+std::vector<float> SceneGeometry::enclosingSolids(const Scene& scene,
+                                                  const glm::vec3& point) const {
     std::vector<float> around;
     std::uint32_t firstSolid = 0;
     for (const auto& [id, mesh] : scene.meshes()) {

@@ -10,11 +10,11 @@
 #include <aolib/ProcAddressLoader.h>
 #include <aolib/bake/AbstractBaker.h>
 
-#include "bake/maps/CheckOptions.h"
 #include "bake/geometry/BakeGeometry.h"
 #include "bake/gpu/BakeVertices.h"
 #include "bake/gpu/LightView.h"
 #include "bake/gpu/Reach.h"
+#include "bake/maps/CheckOptions.h"
 #include "gl/ContextGroup.h"
 
 namespace aolib::bake {

@@ -59,11 +59,10 @@ TEST(UvReportTest, EachFaultIsCountedOnce) {
     EXPECT_EQ(report.outside, 2U);
     EXPECT_EQ(report.missing, 2U);
     EXPECT_EQ(report.collapsed, 2U);
-    EXPECT_EQ(
-        report.sentence().rfind("of 36 triangles 2 have no UVs, 2 have UVs that are not "
+    EXPECT_EQ(report.sentence().rfind("of 36 triangles 2 have no UVs, 2 have UVs that are not "
                                       "finite, 2 have UVs outside [0,1], 2 have no area in the map",
                                       0),
-        0U)
+              0U)
         << report.sentence();
 }
 

@@ -64,8 +64,9 @@ TEST(Compose, OnePictureHasNoSeparator) {
 
 TEST(Compose, BadInputIsRefused) {
     EXPECT_FALSE(sideBySide({}));
-    EXPECT_EQ(sideBySide(std::vector<ByteImage>{ByteImage(1, 1, 1), ByteImage(0, 1, 1)}).error().message,
-              "picture 1 of a strip is 0 x 1 x 1 and holds 0 values");
+    EXPECT_EQ(
+        sideBySide(std::vector<ByteImage>{ByteImage(1, 1, 1), ByteImage(0, 1, 1)}).error().message,
+        "picture 1 of a strip is 0 x 1 x 1 and holds 0 values");
     EXPECT_FALSE(sideBySide(std::vector<ByteImage>{ByteImage(1, 1, 5)}));
     EXPECT_FALSE(
         sideBySide(std::vector<ByteImage>{ByteImage(60000, 1, 1), ByteImage(60000, 1, 1)}));

@@ -14,22 +14,24 @@
 
 namespace aolib::lighting {
 
-/// What an EnvironmentLight makes. Since 0.1.
+/// Selects the textures of an EnvironmentLight. Since 0.1.
 struct EnvironmentLightOptions {
     ConeTableOptions cones;
-    bool sectors = false; ///< also the table of sectors
-    bool angles = false;  ///< also the cube map of angles
-    int anglesSize = 256; ///< texels along its faces, 1 to 4096
+    bool sectors = false; ///< also make the table of sectors
+    bool angles = false;  ///< also make the cube map of angles
+    int anglesSize = 256; ///< texels along an edge of that cube map's faces, 1 to 4096
 };
 
-/// An environment in a context's textures, for a host's own shaders, which environmentShader()
-/// gives the functions for. Radiance is kept as 16 bit floats: above 65504 it is cut.
+/// Textures of an environment for the host's shaders; environmentShader() has the functions that
+/// read them. Radiance is stored as 16 bit floats, clamped to 65504.
 ///
-/// Context: its textures belong to the one that was current at create() and to all that share its
-/// objects, one of which must be current when it goes. Elsewhere, or without a context, it touches
-/// no object when it goes. Needs OpenGL 3.3. GL state is saved and restored. Since 0.1.
+/// Context: OpenGL 3.3. The textures belong to the context that is current at create() and to all
+/// contexts that share its objects. GL state is saved and restored.
+/// The destructor deletes the textures if one of these contexts is current; otherwise it deletes
+/// nothing. Since 0.1.
 class EnvironmentLight {
 public:
+    /// Makes the textures from a map. Context.
     /// Errors: InvalidOption, NoContext, MissingCapability (sizes), OutOfMemory.
     AOLIB_LIGHTING_EXPORT static Result<EnvironmentLight>
     create(const ProcAddressLoader& loader, const EnvironmentMap& map,
@@ -39,16 +41,17 @@ public:
     AOLIB_LIGHTING_EXPORT EnvironmentLight& operator=(EnvironmentLight&&) noexcept;
     AOLIB_LIGHTING_EXPORT ~EnvironmentLight();
 
-    /// GL_TEXTURE_2D_ARRAY: a ConeTable, one layer an aperture. Linear, repeats along u.
+    /// GL_TEXTURE_2D_ARRAY: a ConeTable, one layer per aperture. Linear, repeats along u.
     AOLIB_LIGHTING_EXPORT TextureName cones() const;
-    /// GL_TEXTURE_2D_ARRAY: a SectorTable, one layer a sector; none where not asked for. Linear,
-    /// repeats along u. Since 0.1.
+    /// GL_TEXTURE_2D_ARRAY: a SectorTable, one layer per sector; none unless
+    /// `EnvironmentLightOptions::sectors`. Linear, repeats along u. Since 0.1.
     AOLIB_LIGHTING_EXPORT TextureName sectors() const;
     /// GL_TEXTURE_2D: the map itself with mipmaps. Linear, repeats along u.
     AOLIB_LIGHTING_EXPORT TextureName map() const;
-    /// GL_TEXTURE_CUBE_MAP: latLong() of each direction in red and green; none where not asked for.
+    /// GL_TEXTURE_CUBE_MAP: latLong() of each direction in red and green; none unless
+    /// `EnvironmentLightOptions::angles`.
     AOLIB_LIGHTING_EXPORT TextureName angles() const;
-    /// GPU memory of all of them.
+    /// Returns the GPU memory of all textures, bytes.
     AOLIB_LIGHTING_EXPORT std::size_t bytes() const;
 
 private:
@@ -58,7 +61,7 @@ private:
     std::unique_ptr<Content> content_;
 };
 
-/// Functions in GLSL 3.30 to put before a host's own, behind its `#version` line:
+/// Returns GLSL 3.30 functions to insert after the `#version` line of a host's shader:
 /// `aoConeLight(cones, normal, bentNormal, visibility)`, `aoSectorLight(sectors, normal, open)`,
 /// `aoIrradianceLight`, `aoBlurredLight`, `aoBlurredLightByAngles`, `latLongPlace`;
 /// shaders/lighting/environment.glsl describes them.

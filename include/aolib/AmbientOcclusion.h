@@ -24,59 +24,64 @@ namespace aolib {
 
 /// Ambient occlusion for an OpenGL renderer: describe the scene once, wrap each frame.
 ///
-/// Every call reports an AoStatus and never throws, prints or aborts; a failed call leaves the
-/// scene, the cube maps and the host's GL state as they were. One thread at a time.
+/// Every call reports an AoStatus and never throws, prints or aborts. A failed call leaves the
+/// scene, the cube maps and the host's GL state unchanged; exceptions are stated at the call.
+/// Threads: call an instance from one thread at a time.
 ///
-/// Calls that need OpenGL say "Context". They work in the context that was current at create() and
-/// in each that shares objects with it, by turns and in any thread; commands of one context must
-/// have ended (glFinish, or a fence) before a call in another, as for all shared objects. Elsewhere
-/// they change nothing, of the instance or of the context: NoContext where none is current,
-/// WrongContext in one that shares nothing. Calls that do not say so may be made anywhere.
+/// Calls marked "Context" need OpenGL. They work in the context that was current at create() and in
+/// every context that shares objects with that one, from any thread.
+/// Before a call in another context, finish the commands of the previous one (glFinish or a fence).
+/// Without a current context a marked call changes nothing and returns NoContext.
+/// In a context that shares no objects it changes nothing and returns WrongContext.
+/// Calls without the mark need no context.
 class AOLIB_EXPORT AmbientOcclusion {
 public:
-    /// Called with how much of a longer call is done, 0 to 1, never less than before. False stops
-    /// it.
+    /// Receives the progress of a long call, 0 to 1, never decreasing. Returning false cancels the
+    /// call.
     using ProgressCallback = std::function<bool(float progress)>;
-    /// Called with each failure, after it was kept as lastStatus().
+    /// Receives each failure, after lastStatus() has stored it.
     using MessageSink = std::function<void(const AoStatus&)>;
 
     /// Makes an instance for the current context: OpenGL 3.3 or newer, core or compatibility.
-    /// @param loader  gives the address of a GL function, as eglGetProcAddress does.
+    /// @param loader  returns the address of a GL function, as eglGetProcAddress does.
     /// Errors: NoContext, MissingCapability, InvalidOption, ShaderError, OutOfMemory. Context.
     /// Since 0.1.
     static Result<AmbientOcclusion> create(const ProcAddressLoader& loader,
                                            const Options& options = {});
 
     AmbientOcclusion(AmbientOcclusion&&) noexcept;
-    /// The former content ends as in the destructor.
+    /// Destroys the former content as the destructor does.
     AmbientOcclusion& operator=(AmbientOcclusion&&) noexcept;
-    /// Deletes every GL object that the current context may delete: all of them where the instance
-    /// has worked in one context and that is current. Framebuffers, vertex arrays and queries of
-    /// others, which GL does not share, end with those contexts. Without a context, or in one that
-    /// shares nothing, no object is deleted: they end with their own contexts.
+    /// Deletes every GL object that the current context may delete.
+    /// If the instance worked in one context and that context is current, all objects are deleted.
+    /// Framebuffers, vertex arrays and queries of other contexts are not shared by GL: these are
+    /// freed with those contexts.
+    /// Without a context, or in one that shares no objects, nothing is deleted.
     ~AmbientOcclusion();
-    /// Forgets every GL object without a call of GL: for a context that was lost or destroyed.
-    /// Calls that need a context answer NoContext from then on; the scene can still be edited.
-    /// Errors: InvalidCallOrder within the scene renderer, as lastStatus(). Since 0.1.
+    /// Drops every GL object without calling GL: for a context that was lost or destroyed.
+    /// Calls that need a context return NoContext afterwards; the scene can still be edited.
+    /// Errors, in lastStatus(): InvalidCallOrder within the scene renderer. Since 0.1.
     void abandon();
 
     // ---- Options ---------------------------------------------------------------------------
 
     const Options& options() const;
-    /// Takes effect at the next frame; what the change touches is rebuilt, the scene is kept.
-    /// A new `backbone` exchanges the strategy. Errors, which change nothing: InvalidOption,
-    /// ShaderError, OutOfMemory. Context, where the backbone changes. Since 0.1.
+    /// Sets the options from the next frame on. Data that depends on a changed option is rebuilt;
+    /// the scene is kept. A new `backbone` replaces the strategy.
+    /// Errors, which change nothing: InvalidOption, ShaderError, OutOfMemory.
+    /// Context, if the backbone changes. Since 0.1.
     AoStatus setOptions(const Options& options);
 
-    /// Gives the tracer that `Estimator::RayTraced` works with, or takes it away (empty). Cube maps
-    /// that were traced by another are traced again. Since 0.1.
+    /// Sets the tracer that `Estimator::RayTraced` uses; empty removes the tracer. Cube maps that
+    /// another tracer computed are traced again. Since 0.1.
     void setTexelTracer(std::unique_ptr<AbstractTexelTracer> tracer);
 
     // ---- Scene definition, one vertex at a time (thesis 4.7.1) -----------------------------
 
     /// Starts a mesh. Errors: InvalidCallOrder inside another mesh.
     AoStatus meshBegin();
-    /// Sets the normal of the vertices that follow. Before the first vertex or not at all.
+    /// Sets the normal of the vertices that follow. A mesh with normals sets the first one before
+    /// its first vertex.
     /// Errors: InvalidCallOrder, InvalidNormal.
     AoStatus aoNormal3f(float x, float y, float z);
     /// Adds a vertex, world units. Errors: InvalidCallOrder, InvalidPosition.
@@ -87,8 +92,9 @@ public:
     AoStatus aoVertexIndex(std::uint32_t index);
     /// Ends the run. Errors: InvalidCallOrder, IncompletePrimitive.
     AoStatus aoEnd();
-    /// Ends the mesh and adds it to the scene. A mesh that met invalid data is dropped as a whole
-    /// and that error is returned again. Errors: InvalidCallOrder, EmptyMesh, and the data's own.
+    /// Ends the mesh and adds it to the scene. A mesh with invalid data is dropped as a whole, and
+    /// the error of that data is returned again. Errors: InvalidCallOrder, EmptyMesh, and those of
+    /// the calls since meshBegin().
     Result<MeshId> meshEnd();
 
     // ---- Scene definition in bulk ----------------------------------------------------------
@@ -96,116 +102,125 @@ public:
     /// Adds a mesh. Errors: InvalidPosition, InvalidNormal, InvalidIndex, IncompletePrimitive,
     /// EmptyMesh. Since 0.1.
     Result<MeshId> addMesh(const MeshData& mesh);
-    /// Replaces a mesh's content and transform under the same id. Errors: as addMesh, UnknownMesh.
+    /// Replaces the content and transform of a mesh; its id stays. Errors: UnknownMesh, and those
+    /// of addMesh().
     AoStatus replaceMesh(MeshId id, const MeshData& mesh);
-    /// Gives a mesh another transform. Errors: UnknownMesh, InvalidPosition.
+    /// Replaces the transform of a mesh, model to world. Errors: UnknownMesh, InvalidPosition.
     AoStatus moveMesh(MeshId id, const glm::mat4& transform);
-    /// Takes a mesh out of the scene. Errors: UnknownMesh.
+    /// Removes a mesh from the scene. Errors: UnknownMesh.
     AoStatus removeMesh(MeshId id);
 
     // ---- Scene definition by drawing -------------------------------------------------------
 
-    /// Has the host draw what occludes, with its own shaders, in place of the meshes' triangles:
-    /// once for each face of a cube map that is computed. What is behind the first surface stays
-    /// unknown; `layered-intervals` assumes a thickness. `Estimator::RayTraced` knows the described
-    /// meshes alone.
-    /// @param renderer  kept until it is exchanged; empty goes back to the meshes.
-    /// @param min,max   a box that holds all that is drawn, world units.
-    /// Errors: InvalidPosition (not finite, or min above max), InvalidCallOrder in the callback.
-    /// Since 0.1.
+    /// Sets a callback that draws the occluders with the host's shaders, once per computed cube map
+    /// face. The callback replaces the triangles of the meshes.
+    /// Only the first surface is captured; `layered-intervals` assumes a thickness behind it.
+    /// `Estimator::RayTraced` uses only the described meshes.
+    /// @param renderer  kept until replaced; empty selects the meshes again.
+    /// @param min,max   bounding box of everything drawn, world units.
+    /// Errors: InvalidPosition (not finite, or min exceeds max in a component), InvalidCallOrder
+    /// within the callback. Since 0.1.
     AoStatus setSceneRenderer(SceneRenderer renderer, const glm::vec3& min, const glm::vec3& max);
-    /// Says that what the renderer draws has changed within a box, before and after together: the
-    /// cube maps that see it are computed again.
+    /// Recomputes the cube maps that see a box in which the renderer's geometry changed.
+    /// @param min,max  box around the changed geometry before and after the change, world units.
     /// Errors: InvalidPosition, NoScene without a renderer. Since 0.1.
     AoStatus aoSceneChanged(const glm::vec3& min, const glm::vec3& max);
 
     // ---- Cube maps -------------------------------------------------------------------------
 
-    /// Places a cube map. Without a frame budget its ambient occlusion is computed before this call
-    /// returns, else over the frames to come.
+    /// Places a cube map.
+    /// If `Options::frameBudget` is 0, its ambient occlusion is computed before this call returns;
+    /// otherwise over the following frames.
     /// @param position  world units; moved to free space if it lies on a surface.
     /// Errors: InvalidCallOrder (the backbone keeps no cube maps), InvalidPosition, NoScene,
     /// MissingCapability, OutOfMemory, CallbackFailed. Context. Thesis 4.2.1. Since 0.1.
     Result<CubeMapId> addCubeMap(const glm::vec3& position);
-    /// Computes all cube maps that were placed by addCubeMap(), whole, before it returns, whatever
-    /// the frame budget: behind a loading screen.
-    /// @param callback   called every few hundredths of a second, and with 1 at the end; empty for
-    ///                   none. GL state is the host's while it runs: it may draw and swap. Calls to
-    ///                   the same instance are refused meanwhile.
-    /// @param positions  where cube maps are to be placed before, as by addCubeMap(); world units.
-    ///                   Where such a one stands already there is no other.
+    /// Computes all cube maps of addCubeMap() completely before it returns, without regard to the
+    /// frame budget: for a loading screen.
+    /// @param callback   called about every 20 milliseconds, and with 1 at the end; may be empty.
+    ///                   GL state is the host's during the callback, which may draw and swap. Calls
+    ///                   to the same instance fail with InvalidCallOrder meanwhile.
+    /// @param positions  cube maps to place first, as by addCubeMap(), world units. A position that
+    ///                   already has a cube map of addCubeMap() gets no second one.
     /// Errors: InvalidCallOrder (within a frame, or the backbone keeps no cube maps), Cancelled
-    /// (the callback said so: what was computed stays, the rest is left to frames), CallbackFailed,
-    /// and those of addCubeMap(); a failure on the way leaves what was computed, too. Context.
-    /// Since 0.1.
+    /// (the callback returned false), CallbackFailed, and those of addCubeMap().
+    /// After any error, texels that were computed stay. After Cancelled, later frames compute the
+    /// rest. Context. Since 0.1.
     AoStatus prepare(const ProgressCallback& callback, std::span<const glm::vec3> positions = {});
-    /// Errors: UnknownCubeMap. Context.
+    /// Removes a cube map. Errors: UnknownCubeMap. Context.
     AoStatus removeCubeMap(CubeMapId id);
     /// Removes all cube maps; the scene stays. Context.
     AoStatus clear();
-    /// The cube maps that exist, oldest first.
+    /// Lists the cube maps that exist, oldest first.
     std::vector<CubeMapInfo> cubeMaps() const;
 
     // ---- Frame (thesis 4.7.2) --------------------------------------------------------------
 
-    /// Gives the camera of the frames to come: world to eye, eye to clip, column-major, column
-    /// vectors, as the host draws with them. Eye space may be right-handed or left-handed.
+    /// Sets the camera of the following frames. Matrices are column-major, for column vectors, as
+    /// the host draws with them. Eye space may be right-handed or left-handed.
+    /// @param view        world to eye.
+    /// @param projection  eye to clip.
     /// Errors: InvalidCamera.
     AoStatus aoSetCamera(const glm::mat4& view, const glm::mat4& projection);
-    /// Starts a frame. The host then draws as ever, to its own framebuffer.
+    /// Starts a frame. The host then draws as usual to its own framebuffer.
     /// Errors: InvalidCallOrder. Context.
     AoStatus aoDrawBegin();
-    /// Ends the frame: reads the depth that the host drew, and darkens its colours by the ambient
+    /// Ends the frame: reads the host's depth buffer and darkens the host's colours by the ambient
     /// occlusion of the scene. Framebuffer and viewport are those current at this call.
-    /// @param x,y,z  world position of the camera.
-    /// @param view   whose frame it is, where the host has several.
-    /// Without aoSetCamera() in a compatibility context the matrices are read from GL, if one of
-    /// those at aoDrawBegin() and aoDrawEnd() belongs to this position.
+    /// @param x,y,z  world position of the camera, world units.
+    /// @param view   the view that the frame belongs to, for hosts with several.
+    /// Without aoSetCamera(), in a compatibility context, the matrices are read from GL at
+    /// aoDrawBegin() and aoDrawEnd(). The camera of one of these must match the position.
     /// Errors: InvalidCallOrder, NoCamera, InvalidCamera, InvalidFramebuffer, OutOfMemory,
     /// MissingCapability, CallbackFailed. Context.
     AoStatus aoDrawEnd(float x, float y, float z, ViewId view = {});
-    /// The same as aoSetCamera(), aoDrawBegin() and aoDrawEnd() at the eye of the matrices: for
-    /// hosts that hook in once they have drawn. Errors: theirs. Context. Since 0.1.
+    /// Calls aoSetCamera(), aoDrawBegin() and aoDrawEnd() at the eye position of the matrices: for
+    /// hosts that call aolib only after drawing. Errors: those of the three calls. Context.
+    /// Since 0.1.
     AoStatus aoShade(const glm::mat4& view, const glm::mat4& projection, ViewId id = {});
-    /// A frame for hosts that render to textures of their own: instead of aoDrawBegin() and
-    /// aoDrawEnd(), between them or not. Clip control and depth range that count are those current
-    /// at this call; viewport and framebuffer do not.
-    /// @param position  world position of the camera.
-    /// @param view      whose frame it is, where the host has several.
-    /// @return without a colour texture one that holds what colours are to be multiplied by,
-    /// (1 - a) + a W, in red (GL_R8, 1 for the background); aolib's own, of the size given, valid
-    /// until the next call for the view or its end. With a colour texture none: that one has been
-    /// multiplied. Errors: as aoDrawEnd; InvalidFramebuffer for a texture that is missing or of no
-    /// use here. Context. Since 0.1.
+    /// Computes a frame for hosts that render to their own textures, in place of aoDrawBegin() and
+    /// aoDrawEnd(). May be called between these two or outside.
+    /// Clip control and depth range are those current at this call; viewport and framebuffer are
+    /// ignored.
+    /// @param position  world position of the camera, world units.
+    /// @param view      the view that the frame belongs to, for hosts with several.
+    /// @return without a colour texture: a GL_R8 texture of the given size that belongs to aolib.
+    /// Red holds the factor for the host's colours, (1 - a) + a W, 1 for the background. The
+    /// texture is valid until the next call for the view, or until the view is dropped.
+    /// With a colour texture: none; the colour texture has been multiplied by that factor.
+    /// Errors: InvalidFramebuffer for a texture that is missing or unsuitable, and those of
+    /// aoDrawEnd(). Context. Since 0.1.
     Result<TextureName> aoApply(const HostTextures& textures, const glm::vec3& position,
                                 ViewId view = {});
-    /// Drops what is kept for a view: a window was closed. Nothing happens where nothing is. Views
-    /// that are not drawn are dropped by themselves, after 256 frames of others or eight for each
-    /// view, and of more than 64 the one that was drawn longest ago. Errors: InvalidCallOrder
-    /// within a scene renderer. Context. Since 0.1.
+    /// Drops the data kept for a view, for instance of a closed window. Does nothing for a view
+    /// without data.
+    /// A view that is not drawn is dropped automatically after 256 frames of other views, or eight
+    /// frames for each view. Above 64 views, the one drawn longest ago is dropped.
+    /// Errors: InvalidCallOrder within a scene renderer. Context. Since 0.1.
     AoStatus removeView(ViewId view);
 
     // ---- Results ---------------------------------------------------------------------------
 
-    /// What the latest frame did and cost, of whatever view.
+    /// Returns results and costs of the latest frame of any view.
     Statistics statistics() const;
-    /// What the latest frame of a view did: its coverage, geometry, convergence, cube maps and
-    /// repaired pixels; all else is the instance's. A view that has none is not converged.
+    /// Returns coverage, geometry share, convergence, cube maps and refined pixels of a view's
+    /// latest frame; the other fields are the instance's. A view without a frame is not converged.
     /// Since 0.1.
     Statistics statistics(ViewId view) const;
-    /// Reads back the latest frame's ambient occlusion; waits for the GPU. Where the host has
-    /// samples and a pixel shows several surfaces, W is the mean of its samples, background
-    /// counting as 1. Errors: InvalidCallOrder before the first frame. Context.
+    /// Reads back the latest frame's ambient occlusion; waits for the GPU. In a multisampled
+    /// framebuffer, W of a pixel with several surfaces is the mean of its samples; background
+    /// samples count as 1. Errors: InvalidCallOrder before the first frame. Context.
     Result<VisibilityImage> readVisibility();
-    /// The same of a view's latest frame. Errors: InvalidCallOrder where it has none. Context.
-    /// Since 0.1.
+    /// Reads back the ambient occlusion of a view's latest frame; waits for the GPU.
+    /// Errors: InvalidCallOrder for a view without a frame. Context. Since 0.1.
     Result<VisibilityImage> readVisibility(ViewId view);
     /// Reads back a cube map; waits for the GPU. Errors: UnknownCubeMap. Context.
     Result<CubeMapImage> readCubeMap(CubeMapId id);
 
-    /// The latest failure, or Ok if there was none. Successful calls do not reset it.
+    /// Returns the latest failure, or Ok if no call failed. Successful calls do not reset the
+    /// failure.
     const AoStatus& lastStatus() const;
-    /// Receives every failure from now on; empty for none.
+    /// Sets the function that receives every later failure; empty for none.
     void setMessageSink(MessageSink sink);
 
 private:

@@ -4,10 +4,11 @@
 
 namespace aolib {
 
-/// How open each of 24 sectors of directions is, 0 to 1, by the measure of who tells it. Sectors
-/// are the faces of a cube along world space's axes, each in quarters; number: 8 for each axis (x,
-/// y, z), 1, 2 and 4 where x, y and z are positive. Bakers tell them of vertices
-/// (`bake::RayOptions::sectors`), and `lighting::sectorLight()` lights by them. Since 0.1.
+/// Unoccluded fraction of each of 24 direction sectors, 0 to 1; the producer states the weights.
+/// A sector is a quarter of a face of a cube along the world axes.
+/// Index = 8 axis + (x>0) + 2 (y>0) + 4 (z>0), with axis 0, 1, 2 for x, y, z.
+/// Bakers compute them for vertices (`bake::RayOptions::sectors`); `lighting::sectorLight()`
+/// computes radiance from them. Since 0.1.
 using OpenSectors = std::array<float, 24>;
 
 } // namespace aolib

@@ -14,7 +14,7 @@ struct OptionRange {
     double max;
 };
 
-/// One choice of an enumeration option, as tools spell it.
+/// One choice of an enumeration option: its value, and its name on command lines.
 template <typename E>
 struct OptionChoice {
     E value;
@@ -45,8 +45,8 @@ inline constexpr std::array kDebugViewChoices{
     OptionChoice<DebugView>{DebugView::Positions, "positions"},
     OptionChoice<DebugView>{DebugView::Normals, "normals"}};
 
-/// Visits every option once, in the order of a help text: the one list from which checks, command
-/// lines and sliders are made. The visitor takes
+/// Visits every option once, in the order of a help text. Checks, command lines and sliders are
+/// generated from this list. The visitor takes
 ///   (name, number&, OptionRange, help)   for int and float,
 ///   (name, bool&, help)                  for switches,
 ///   (name, enum&, array of choices, help) for enumerations.

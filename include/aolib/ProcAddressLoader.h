@@ -4,17 +4,16 @@
 
 namespace aolib {
 
-/// Gives the address of an OpenGL function of the context that is current, by its name
-/// ("glDrawElements"), or null when there is none. The host supplies it: SDL, GLFW, EGL, GLX and
-/// OSMesa each have such a function. aolib calls it only while it reads its function table.
+/// Returns the address of an OpenGL function of the current context by name ("glDrawElements"), or
+/// null. The host supplies the loader: SDL, GLFW, EGL, GLX and OSMesa each have such a function.
+/// aolib calls the loader only while it fills its function table.
 ///
-/// Some drivers return an address for any name that starts with "gl". A non-null answer is
-/// therefore no proof that the context has the function: aolib also asks for version and
-/// extensions.
-/// The addresses 1, 2, 3 and -1 count as null, for wglGetProcAddress returns them, too.
+/// Some drivers return an address for any name that starts with "gl". Therefore aolib also checks
+/// the version and the extensions of the context.
+/// The addresses 1, 2, 3 and -1 count as null, because wglGetProcAddress also returns these.
 ///
-/// WGL: wglGetProcAddress knows no function of OpenGL 1.1 (glGetString, glDrawElements ...); those
-/// are exported by opengl32.dll. A loader asks both:
+/// WGL: wglGetProcAddress returns null for functions of OpenGL 1.1 (glGetString, glDrawElements
+/// ...); opengl32.dll exports these. A loader for WGL calls both:
 ///
 /// ```cpp
 /// ProcAddressLoader loader = [](const char* name) -> void* {
@@ -26,14 +25,14 @@ namespace aolib {
 ///                   : address;
 /// };
 /// ```
-/// GLFW and SDL do that themselves:
+/// The loaders of GLFW and SDL already call both:
 ///
 /// ```cpp
 /// ProcAddressLoader loader = [](const char* name) -> void* {
 ///     return reinterpret_cast<void*>(glfwGetProcAddress(name));
 /// };
 /// ```
-/// Context: the one that the functions are meant for must be current in the calling thread.
+/// Context: the context that the functions belong to must be current in the calling thread.
 /// Since 0.1.
 using ProcAddressLoader = std::function<void*(const char* name)>;
 

@@ -17,13 +17,13 @@ enum AoPrimitive : std::uint8_t {
     AO_QUAD_STRIP,
 };
 
-/// Names a mesh for as long as it is part of the scene. Never reused by one instance.
+/// Identifies a mesh while it is part of the scene. An instance never reuses an id.
 enum class MeshId : std::uint32_t {};
 
-/// Names a cube map for as long as it exists. Never reused by one instance.
+/// Identifies a cube map while it exists. An instance never reuses an id.
 enum class CubeMapId : std::uint32_t {};
 
-/// A mesh in bulk. The spans are read during the call and not kept.
+/// A mesh as arrays. The spans are read during the call and not kept.
 struct MeshData {
     std::span<const glm::vec3> positions;   ///< model space
     std::span<const glm::vec3> normals;     ///< empty, or one per position; any length but zero

@@ -8,8 +8,8 @@
 
 namespace aolib {
 
-/// A camera at a cube map's centre that looks through one of its faces. Depth is [-1,1] in clip
-/// space, the nearest is the smallest, the origin lower left, as OpenGL begins with.
+/// The camera of one face of a cube map, at the cube map's centre. Clip space is OpenGL's default:
+/// depth in [-1,1], the nearest smallest, the origin at the lower left.
 struct FaceView {
     glm::mat4 view;       ///< world to eye
     glm::mat4 projection; ///< eye to clip, 90 degrees
@@ -17,15 +17,16 @@ struct FaceView {
     glm::ivec2 size;      ///< of the viewport, pixels
 };
 
-/// Draws what occludes as a face sees it: the host's own draw calls and shaders. Depth is all that
-/// counts. On entry a framebuffer with depth alone is bound and cleared, the viewport covers it,
-/// and depth test and writes are on; culling, blending and other tests are off. Program, vertex
-/// array and textures are unspecified.
+/// Draws the occluders of one face with the host's draw calls and shaders. Only depth is used.
+/// On entry a cleared framebuffer with only a depth attachment is bound, and the viewport covers
+/// the framebuffer. Depth test and depth writes are on; culling, blending and other tests are off.
+/// Program, vertex array and textures are unspecified.
 ///
-/// State of the table in docs/integration.md need not be put back. What a guest cannot put back
-/// must be ended before the callback returns: queries, transform feedback, conditional rendering,
-/// debug groups; and the context that was current must be so again. Calls to the same instance are
-/// refused meanwhile (InvalidCallOrder); an exception ends the call with CallbackFailed.
+/// State listed in the table of docs/integration.md need not be restored.
+/// Before the callback returns, end queries, transform feedback, conditional rendering and debug
+/// groups, and make the original context current.
+/// Errors: calls to the same instance within the callback return InvalidCallOrder. An exception
+/// ends the outer call with CallbackFailed.
 using SceneRenderer = std::function<void(const FaceView&)>;
 
 } // namespace aolib

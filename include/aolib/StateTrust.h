@@ -2,14 +2,14 @@
 
 namespace aolib {
 
-/// Parts of the GL state that the host sets again by itself after each call, or does not care
-/// about: aolib neither queries nor restores a part that is trusted, and leaves it at values of its
-/// own. What a frame reads is queried all the same: the draw framebuffer; viewport, depth range and
-/// scissor test of viewport 0; sRGB encoding; clip control. All off: everything is restored.
-/// Since 0.1.
+/// Selects parts of the GL state that aolib neither queries nor restores. Select a part if the host
+/// sets it after each call or does not use it: aolib leaves a selected part changed.
+/// A frame always queries the state it reads: the draw framebuffer; viewport, depth range and
+/// scissor test of viewport 0; sRGB encoding; clip control.
+/// By default nothing is selected and everything is restored. Since 0.1.
 struct StateTrust {
     bool framebuffers = false; ///< draw and read framebuffer
-    bool programs = false;     ///< program (but while transform feedback runs), vertex array,
+    bool programs = false;     ///< program (except during transform feedback), vertex array,
                                ///< array buffer
     bool textures = false;     ///< 2D and 2D array textures and samplers of units 0 to 7, active
                                ///< unit

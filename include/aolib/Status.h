@@ -8,16 +8,16 @@
 
 namespace aolib {
 
-/// What went wrong, one code per reason. Since 0.1.
+/// The reason of a failure. Since 0.1.
 enum class StatusCode : std::uint8_t {
     Ok,
     InvalidCallOrder,    ///< the call is not allowed here; the message says what to call first
     InvalidPosition,     ///< a position or transform is NaN or infinite
     InvalidNormal,       ///< a normal is NaN or infinite, or normals and positions differ in number
-    InvalidIndex,        ///< an index names no vertex of its mesh
+    InvalidIndex,        ///< an index is not below the number of vertices of its mesh
     IncompletePrimitive, ///< the number of indices does not fit the primitive
     EmptyMesh,           ///< a mesh without vertices or without triangles
-    InvalidPrimitive,    ///< a value that names no primitive
+    InvalidPrimitive,    ///< a value that is not an AoPrimitive
     UnknownMesh,         ///< no mesh has this id
     UnknownCubeMap,      ///< no cube map has this id
     NoScene,             ///< there are no triangles yet
@@ -26,16 +26,16 @@ enum class StatusCode : std::uint8_t {
     InvalidOption,       ///< an option lies outside its range
     InvalidFramebuffer,  ///< the host's framebuffer is incomplete, has no depth, or no size
     MissingCapability,   ///< the context lacks a function or a size that is needed
-    NoContext,           ///< no OpenGL context is current, the loader knows no function, or
+    NoContext,           ///< no OpenGL context is current, the loader returns no address, or
                          ///< abandon() was called
-    WrongContext,        ///< the current context shares nothing with the one of create()
+    WrongContext,        ///< the current context shares no objects with the one of create()
     ShaderError,         ///< a shader did not compile or link; the message holds the driver's log
-    OutOfMemory,    ///< GL could not give a texture, buffer or framebuffer of the size asked for
-    Cancelled,      ///< the host's progress callback said so; there is no result
-    CallbackFailed, ///< the host's scene renderer threw an exception
+    OutOfMemory,    ///< GL could not create a texture, buffer or framebuffer of the needed size
+    Cancelled,      ///< the host's progress callback returned false; there is no result
+    CallbackFailed, ///< a callback of the host threw an exception
 };
 
-/// The name of a code, for messages and tests: `statusName(StatusCode::Ok) == "Ok"`.
+/// Returns the name of a code, for messages and tests: `statusName(StatusCode::Ok) == "Ok"`.
 constexpr const char* statusName(StatusCode code) {
     switch (code) {
     case StatusCode::Ok:
@@ -86,9 +86,9 @@ constexpr const char* statusName(StatusCode code) {
     return "unknown";
 }
 
-/// The outcome of a call: a code, and a sentence with the numbers when it is not Ok. A host may
-/// ignore it; `AmbientOcclusion::lastStatus()` keeps the latest failure. Xlib.h defines the plain
-/// name as a macro. Since 0.1.
+/// The outcome of a call: a code, and for failures a message with the values. A host may ignore
+/// the outcome; `AmbientOcclusion::lastStatus()` keeps the latest failure. The prefix avoids the
+/// macro `Status` of Xlib.h. Since 0.1.
 class AoStatus {
 public:
     AoStatus() = default;
@@ -105,11 +105,11 @@ private:
 };
 
 #if !defined(Status)
-/// Former name of AoStatus, where Xlib.h was not included before.
+/// Former name of AoStatus; absent if Xlib.h was included before.
 using Status [[deprecated("use AoStatus")]] = AoStatus;
 #endif
 
-/// A value, or the error that says why there is none: a status, unless another type is named.
+/// A value, or the error that prevented the value: a status, unless another type is named.
 /// Since 0.1.
 template <typename T, typename E = AoStatus>
 class [[nodiscard]] Result {

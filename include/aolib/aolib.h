@@ -1,6 +1,6 @@
 #pragma once
 
-/// Everything a host needs: `#include <aolib/aolib.h>`.
+/// Includes all headers of the core library: `#include <aolib/aolib.h>`.
 #include <aolib/AmbientOcclusion.h>
 #include <aolib/HostTextures.h>
 #include <aolib/OptionFields.h>

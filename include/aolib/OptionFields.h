@@ -54,7 +54,7 @@ template <typename OptionsType, typename Visitor>
 void visitOptions(OptionsType& o, Visitor&& visit) {
     constexpr double kMaxFloat = (std::numeric_limits<float>::max)(); // windows.h has a macro max
     visit("backbone", o.backbone, kBackboneChoices, "strategy that computes the occlusion");
-    visit("estimator", o.estimator, kEstimatorChoices, "how visibility is estimated");
+    visit("estimator", o.estimator, kEstimatorChoices, "method that estimates visibility");
     visit("radius", o.radius, OptionRange{0.0, kMaxFloat},
           "reach of occluders, world units; 0 = 10% of the scene's diagonal");
     visit("falloff", o.falloff, kFalloffChoices, "weight of an occluder over its distance");
@@ -70,47 +70,45 @@ void visitOptions(OptionsType& o, Visitor&& visit) {
     visit("slice-steps", o.layeredIntervals.steps, OptionRange{1, 256},
           "layered-intervals: samples per slice and side");
     visit("layers", o.layeredIntervals.layers, OptionRange{1, 8},
-          "layered-intervals: most solid intervals along a ray");
+          "layered-intervals: maximum number of solid intervals along a ray");
     visit("thickness", o.layeredIntervals.thickness, OptionRange{0.0, kMaxFloat},
-          "layered-intervals where the host draws: depth of what is seen, world units; 0 = radius "
-          "/ 4");
+          "layered-intervals where the host draws: assumed surface thickness, world units; 0 = "
+          "radius / 4");
     visit("texel-rays", o.rayTraced.rays, OptionRange{4, 65536}, "ray-traced: rays per texel");
     visit("frame-budget", o.frameBudget, OptionRange{0.0, 1000.0},
-          "milliseconds per frame for computing cube maps; 0 = each at once");
+          "milliseconds per frame for computing cube maps; 0 = each in one call");
     visit("face-size", o.cubeMaps.faceSize, OptionRange{16, 4096},
           "cube map: texels per face edge");
     visit("nearest", o.cubeMaps.nearest, OptionRange{1, 64}, "cube maps projected per frame");
-    visit("place", o.cubeMaps.place, "place cube maps where coverage falls short");
+    visit("place", o.cubeMaps.place, "place a cube map when a view's coverage is too low");
     visit("coverage", o.cubeMaps.coverage, OptionRange{0.0, 1.0},
           "share of shaded pixels below which a cube map is placed");
     visit("projection", o.cubeMaps.projection, kProjectionMethodChoices,
-          "how cube maps reach the picture");
+          "passes that project cube maps: one for all, or one each");
     visit("memory-budget", o.cubeMaps.memoryBudget, OptionRange{0.0, 1048576.0},
-          "MiB of GPU memory that cube maps may keep; 0 = no limit");
+          "MiB of GPU memory for cube maps; 0 = no limit");
     visit("screen-space-fallback", o.cubeMaps.screenSpaceFallback,
           "use screen-space AO for pixels that no cube map covers");
     visit("refine-static-views", o.cubeMaps.refineStaticViews,
           "while a view is static, also compute its pixels: ray-traced, layered-intervals");
     visit("half-resolution", o.cubeMaps.halfResolution,
-          "project onto a quarter of the pixels, and take that to the others by their depths");
-    visit("outlines", o.cubeMaps.outlines, "draw a wire cube where each cube map stands");
-    visit("blur", o.blur.enabled, "edge-aware blur of horizon-split and of screen space");
+          "project onto a quarter of the pixels and upsample by depth");
+    visit("outlines", o.cubeMaps.outlines, "draw a wire cube at each cube map");
+    visit("blur", o.blur.enabled, "edge-aware blur of horizon-split and of screen-space AO");
     visit("blur-size", o.blur.size, OptionRange{1, 15}, "edge length of the blur, pixels, odd");
     visit("debug-view", o.debugView, kDebugViewChoices, "picture shown instead of the composite");
     visit("debug-groups", o.debugGroups, "group each pass's commands for debuggers");
-    visit("trust-framebuffers", o.trust.framebuffers,
-          "leave the framebuffer bindings to the host: not restored");
+    visit("trust-framebuffers", o.trust.framebuffers, "do not restore the framebuffer bindings");
     visit("trust-programs", o.trust.programs,
-          "leave program, vertex array and array buffer to the host");
+          "do not restore program, vertex array and array buffer");
     visit("trust-textures", o.trust.textures,
-          "leave textures and samplers of units 0 to 7 to the host");
-    visit("trust-pixels", o.trust.pixels, "leave pixel buffers, store and transfer to the host");
-    visit("trust-depth", o.trust.depth, "leave depth and stencil tests to the host");
-    visit("trust-blending", o.trust.blending, "leave blending and colour masks to the host");
-    visit("trust-raster", o.trust.raster,
-          "leave culling, polygon, line and sample state to the host");
+          "do not restore textures and samplers of units 0 to 7");
+    visit("trust-pixels", o.trust.pixels, "do not restore pixel buffers, store and transfer");
+    visit("trust-depth", o.trust.depth, "do not restore depth and stencil tests");
+    visit("trust-blending", o.trust.blending, "do not restore blending and colour masks");
+    visit("trust-raster", o.trust.raster, "do not restore culling, polygon, line and sample state");
     visit("trust-viewports", o.trust.viewports,
-          "leave viewports, depth ranges and scissor tests to the host");
+          "do not restore viewports, depth ranges and scissor tests");
 }
 
 } // namespace aolib

@@ -66,7 +66,7 @@ AoStatus flatten(AoPrimitive primitive, std::span<const std::uint32_t> run,
         return {};
     }
     return {StatusCode::InvalidPrimitive,
-            std::to_string(static_cast<int>(primitive)) + " names no primitive"};
+            std::to_string(static_cast<int>(primitive)) + " is not an AoPrimitive"};
 }
 
 } // namespace aolib

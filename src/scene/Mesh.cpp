@@ -39,12 +39,13 @@ Result<Mesh> makeMesh(const MeshData& data) {
     if (data.indices.size() % 3 != 0) {
         return AoStatus(StatusCode::IncompletePrimitive, "triangles need three indices each; " +
                                                              std::to_string(data.indices.size()) +
-                                                             " is no multiple of three");
+                                                             " is not a multiple of three");
     }
     if (!data.normals.empty() && data.normals.size() != data.positions.size()) {
-        return AoStatus(StatusCode::InvalidNormal,
-                        std::to_string(data.normals.size()) + " normals for " +
-                            std::to_string(data.positions.size()) + " positions");
+        return AoStatus(StatusCode::InvalidNormal, std::to_string(data.normals.size()) +
+                                                       " normals for " +
+                                                       std::to_string(data.positions.size()) +
+                                                       " positions; give none or one per position");
     }
     if (AoStatus status = checkTransform(data.transform); !status) {
         return status;
@@ -52,29 +53,31 @@ Result<Mesh> makeMesh(const MeshData& data) {
     Mesh mesh;
     for (std::size_t i = 0; i < data.positions.size(); ++i) {
         if (!isFinite(data.positions[i])) {
-            return AoStatus(StatusCode::InvalidPosition,
-                            "position " + std::to_string(i) + " is " + text(data.positions[i]));
+            return AoStatus(StatusCode::InvalidPosition, "position " + std::to_string(i) + " is " +
+                                                             text(data.positions[i]) +
+                                                             "; it must be finite");
         }
         mesh.modelBounds.include(data.positions[i]);
     }
     for (std::size_t i = 0; i < data.normals.size(); ++i) {
         if (!isFinite(data.normals[i])) {
-            return AoStatus(StatusCode::InvalidNormal,
-                            "normal " + std::to_string(i) + " is " + text(data.normals[i]));
+            return AoStatus(StatusCode::InvalidNormal, "normal " + std::to_string(i) + " is " +
+                                                           text(data.normals[i]) +
+                                                           "; it must be finite");
         }
     }
     for (std::size_t i = 0; i < data.indices.size(); ++i) {
         if (data.indices[i] >= data.positions.size()) {
             return AoStatus(StatusCode::InvalidIndex,
                             "index " + std::to_string(i) + " is " +
-                                std::to_string(data.indices[i]) + ", the mesh has " +
+                                std::to_string(data.indices[i]) + "; the mesh has " +
                                 std::to_string(data.positions.size()) + " vertices");
         }
     }
     mesh.transform = data.transform;
     if (const Bounds world = mesh.worldBounds(); !isFinite(world.min) || !isFinite(world.max)) {
         return AoStatus(StatusCode::InvalidPosition,
-                        "the transform takes the mesh beyond the range of finite numbers");
+                        "the transform moves vertices of the mesh beyond the range of float");
     }
     mesh.positions.assign(data.positions.begin(), data.positions.end());
     mesh.normals.assign(data.normals.begin(), data.normals.end());

@@ -90,7 +90,7 @@ AoStatus Scene::move(MeshId id, const glm::mat4& transform) {
     const Bounds after = transformed(found->second.modelBounds, transform);
     if (!isFinite(after.min) || !isFinite(after.max)) {
         return {StatusCode::InvalidPosition,
-                "the transform takes the mesh beyond the range of finite numbers"};
+                "the transform moves vertices of the mesh beyond the range of float"};
     }
     Bounds region = found->second.worldBounds();
     region.include(after);

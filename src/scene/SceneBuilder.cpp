@@ -20,7 +20,7 @@ AoStatus SceneBuilder::fail(AoStatus status) {
 
 AoStatus SceneBuilder::begin() {
     if (state_ != State::Idle) {
-        return refuse("meshBegin", "end the mesh that was begun with meshEnd first");
+        return refuse("meshBegin", "a mesh has begun; call meshEnd first");
     }
     *this = SceneBuilder();
     state_ = State::Mesh;
@@ -32,7 +32,7 @@ AoStatus SceneBuilder::normal(const glm::vec3& normal) {
         return refuse("aoNormal3f", "call it between meshBegin and aoBegin");
     }
     if (!positions_.empty() && !hasNormal_) {
-        return refuse("aoNormal3f", "vertices without a normal came before; give the first normal "
+        return refuse("aoNormal3f", "the mesh has vertices without a normal; set the first normal "
                                     "before the first vertex");
     }
     if (!isFinite(normal)) {
@@ -65,7 +65,7 @@ AoStatus SceneBuilder::beginRun(AoPrimitive primitive) {
     }
     if (primitive > AO_QUAD_STRIP) {
         return {StatusCode::InvalidPrimitive,
-                std::to_string(static_cast<int>(primitive)) + " names no primitive"};
+                std::to_string(static_cast<int>(primitive)) + " is not an AoPrimitive"};
     }
     primitive_ = primitive;
     run_.clear();
@@ -79,8 +79,8 @@ AoStatus SceneBuilder::index(std::uint32_t index) {
     }
     if (index >= positions_.size()) {
         return fail({StatusCode::InvalidIndex,
-                     "index " + std::to_string(index) + " names no vertex; " +
-                         std::to_string(positions_.size()) + " vertices were given"});
+                     "index " + std::to_string(index) + " is out of range; the mesh has " +
+                         std::to_string(positions_.size()) + " vertices so far"});
     }
     run_.push_back(index);
     return {};
@@ -102,7 +102,7 @@ Result<Mesh> SceneBuilder::end() {
         return refuse("meshEnd", "call meshBegin first");
     }
     if (state_ == State::Run) {
-        return refuse("meshEnd", "end the run of indices with aoEnd first");
+        return refuse("meshEnd", "a run of indices has begun; call aoEnd first");
     }
     const SceneBuilder done = std::exchange(*this, SceneBuilder());
     if (!done.failure_.ok()) {

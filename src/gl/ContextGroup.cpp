@@ -88,7 +88,7 @@ AoStatus ContextGroup::found() {
 AoStatus ContextGroup::check() const {
     if (gone_) {
         return {StatusCode::NoContext,
-                "abandon() was called: this instance has no context any more; create another"};
+                "abandon() was called: this instance has no context; create another instance"};
     }
     if (gl_.GetString(GL_VERSION) == nullptr) {
         return {StatusCode::NoContext, "no OpenGL context is current in this thread"};
@@ -101,7 +101,7 @@ AoStatus ContextGroup::check() const {
     if (std::string_view(text.data(), static_cast<std::size_t>(length)) != text_) {
         return {StatusCode::WrongContext,
                 "the current OpenGL context shares no objects with the one that was current at "
-                "create(): make that one current, or one that shares its objects"};
+                "create(); make the context of create() current, or one that shares its objects"};
     }
     return {};
 }
@@ -208,7 +208,8 @@ AoStatus ContextGroup::confirm() {
     const VertexBindings bindings(gl_);
     if (entered == 0 || !ownsCurrent(members_[entered - 1])) {
         return {StatusCode::WrongContext,
-                "a callback has left another OpenGL context current than it found"};
+                "another OpenGL context is current after a callback; make the original context "
+                "current before the callback returns"};
     }
     current_ = entered;
     return {};

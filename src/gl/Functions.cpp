@@ -107,10 +107,10 @@ Functions::Capabilities capabilitiesOf(const Functions& gl, int version) {
 
 /// @param missing  names of required functions, with a space before each.
 AoStatus missingFunctions(const std::string& missing, bool oldestMissing) {
-    std::string reason = "the loader does not know" + missing;
+    std::string reason = "the loader returned no address for" + missing;
     if (oldestMissing) {
-        reason += "; if it is wglGetProcAddress alone: functions of OpenGL 1.1 come from "
-                  "opengl32.dll, by GetProcAddress";
+        reason += "; if the loader only calls wglGetProcAddress, load functions of OpenGL 1.1 from "
+                  "opengl32.dll with GetProcAddress";
     }
     return {StatusCode::MissingCapability, reason};
 }
@@ -119,7 +119,9 @@ AoStatus missingFunctions(const std::string& missing, bool oldestMissing) {
 
 Result<Functions> Functions::load(const ProcAddressLoader& loader) {
     if (!loader) {
-        return AoStatus(StatusCode::NoContext, "the loader is empty");
+        return AoStatus(
+            StatusCode::NoContext,
+            "the loader is empty; pass a function that returns addresses of GL functions");
     }
     Functions gl;
     std::string missing;
@@ -137,15 +139,17 @@ Result<Functions> Functions::load(const ProcAddressLoader& loader) {
 #undef AOLIB_GL_LOAD
     if (!known) {
         return AoStatus(StatusCode::NoContext,
-                        "the loader knows no function of OpenGL: some know none while no context "
-                        "is current");
+                        "the loader returned no address of any OpenGL function; make a context "
+                        "current before create()");
     }
     if (gl.GetString == nullptr || gl.GetIntegerv == nullptr) {
         return missingFunctions(missing, true);
     }
     if (gl.GetString(GL_VERSION) == nullptr) {
-        return AoStatus(StatusCode::NoContext,
-                        "no OpenGL context is current, or the loader does not belong to it");
+        return AoStatus(
+            StatusCode::NoContext,
+            "glGetString returned no version: no OpenGL context is current, or the loader "
+            "belongs to another context");
     }
     if (versionOf(gl) >= kLeastVersion && !missing.empty()) {
         return missingFunctions(missing, false);
@@ -160,7 +164,7 @@ AoStatus Functions::readCapabilities() {
     const int version = versionOf(*this);
     if (version < kLeastVersion) {
         return {StatusCode::MissingCapability,
-                std::string("OpenGL 3.3 is needed, this context is ") +
+                std::string("OpenGL 3.3 or newer is required; this context has ") +
                     reinterpret_cast<const char*>(GetString(GL_VERSION))};
     }
     capabilities = capabilitiesOf(*this, version);

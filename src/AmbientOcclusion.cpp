@@ -14,7 +14,7 @@ namespace {
 AoStatus checkBox(const Bounds& box) {
     if (!isFinite(box.min) || !isFinite(box.max) || box.empty()) {
         return {StatusCode::InvalidPosition,
-                "the corners of the box must be finite, and the first nowhere above the second"};
+                "box: min and max must be finite, and min must not exceed max in any component"};
     }
     return {};
 }
@@ -190,7 +190,8 @@ AoStatus AmbientOcclusion::aoSceneChanged(const glm::vec3& min, const glm::vec3&
     const Bounds box{min, max};
     AoStatus status = checkBox(box);
     if (status && !impl_->scene.drawn()) {
-        status = {StatusCode::NoScene, "aoSceneChanged: there is no scene renderer"};
+        status = {StatusCode::NoScene,
+                  "aoSceneChanged: no scene renderer is set; call setSceneRenderer first"};
     }
     if (status) {
         impl_->scene.touch(box);
@@ -241,7 +242,7 @@ AoStatus AmbientOcclusion::aoDrawBegin() {
     }
     if (impl_->drawing) {
         return impl_->report({StatusCode::InvalidCallOrder,
-                              "aoDrawBegin: a frame was begun already; end it with aoDrawEnd"});
+                              "aoDrawBegin: a frame has already begun; call aoDrawEnd first"});
     }
     if (AoStatus status = impl_->contexts.check(); !status) {
         return impl_->report(std::move(status));
@@ -256,11 +257,11 @@ AoStatus AmbientOcclusion::aoDrawEnd(float x, float y, float z, ViewId id) {
         return impl_->report(std::move(status));
     }
     if (!impl_->drawing) {
-        if (AoStatus status = impl_->contexts.check(); !status) { // why none could be begun
+        if (AoStatus status = impl_->contexts.check(); !status) { // explains why aoDrawBegin failed
             return impl_->report(std::move(status));
         }
         return impl_->report({StatusCode::InvalidCallOrder,
-                              "aoDrawEnd: no frame was begun; call aoDrawBegin before drawing"});
+                              "aoDrawEnd: no frame has begun; call aoDrawBegin before drawing"});
     }
     impl_->drawing = false;
     return impl_->report(impl_->drawEnd({x, y, z}, id));

@@ -9,7 +9,7 @@ namespace aolib {
 
 namespace {
 
-/// From one call of a progress callback to the next.
+/// Time between two calls of a progress callback.
 constexpr double kMillisecondsPerProgress = 20.0;
 
 } // namespace
@@ -22,8 +22,7 @@ AoStatus AmbientOcclusion::prepare(const ProgressCallback& callback,
 AoStatus AmbientOcclusion::Impl::prepare(const ProgressCallback& callback,
                                          std::span<const glm::vec3> positions) {
     if (drawing) {
-        return {StatusCode::InvalidCallOrder,
-                "prepare: a frame was begun; end it with aoDrawEnd before"};
+        return {StatusCode::InvalidCallOrder, "prepare: a frame has begun; call aoDrawEnd first"};
     }
     if (!std::ranges::all_of(positions, [](const glm::vec3& one) { return isFinite(one); })) {
         return {StatusCode::InvalidPosition, "the position of a cube map must be finite"};
@@ -58,10 +57,10 @@ AoStatus AmbientOcclusion::Impl::report(const ProgressCallback& callback, float 
                 std::string("the progress callback threw: ") + thrown.what()};
     } catch (...) {
         return {StatusCode::CallbackFailed,
-                "the progress callback threw what is no std::exception"};
+                "the progress callback threw an exception that is not a std::exception"};
     }
-    return {StatusCode::Cancelled, "prepare: the progress callback stopped it; what was computed "
-                                   "stays"};
+    return {StatusCode::Cancelled, "prepare: the progress callback returned false; texels that "
+                                   "were computed stay"};
 }
 
 } // namespace aolib

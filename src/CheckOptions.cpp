@@ -36,7 +36,7 @@ struct Checker {
                                        [&](const auto& choice) { return choice.value == value; });
         if (status && !known) {
             status = AoStatus(StatusCode::InvalidOption,
-                              std::string(name) + " holds a value that names no choice");
+                              std::string(name) + " holds a value that is not one of its choices");
         }
     }
 };
@@ -56,7 +56,8 @@ AoStatus checkOptions(const Options& options) {
         text << "memory-budget is " << cubeMaps.memoryBudget << " MiB; a cube map with faces of "
              << cubeMaps.faceSize << " x " << cubeMaps.faceSize << " texels takes "
              << static_cast<double>(kFaces * FaceStore::bytesPerLayer(cubeMaps.faceSize)) /
-                    (1 << 20);
+                    (1 << 20)
+             << " MiB; raise memory-budget or lower face-size";
         return {StatusCode::InvalidOption, text.str()};
     }
     return checker.status;

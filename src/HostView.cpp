@@ -26,8 +26,8 @@ bool standsAt(const HostCamera& camera, const glm::vec3& position) {
            glm::distance(camera.viewOrigin(), given) <= most;
 }
 
-/// Whether the host keeps the greater of two values of the depth buffer, as its state tells: by the
-/// value that it clears to, or where that is the default by the comparison.
+/// Whether greater depth values are nearer, from the host's GL state: the depth buffer is cleared
+/// to less than 0.5, or the depth comparison is GL_GREATER or GL_GEQUAL.
 bool greaterIsNearer(const gl::Functions& gl) {
     GLdouble cleared = 1.0;
     gl.GetDoublev(GL_DEPTH_CLEAR_VALUE, &cleared);
@@ -65,10 +65,11 @@ Result<HostCamera> HostView::cameraAt(const gl::Functions& gl, const glm::vec3& 
         return *camera_;
     }
     if (!gl.capabilities.compatibility) {
-        return AoStatus(StatusCode::NoCamera,
-                        "a core profile has no matrices to read: call aoSetCamera first");
+        return AoStatus(
+            StatusCode::NoCamera,
+            "no camera is set, and a core profile has no matrices to read; call aoSetCamera first");
     }
-    // Whichever of the two moments had the camera, and no model transform, on the stack.
+    // Use the matrices of the call, begin or end, whose camera stands at the position.
     const Matrices now = readMatrices(gl);
     const Result<HostCamera> atEnd = HostCamera::create(now.view, now.projection);
     if (atEnd && standsAt(*atEnd, position)) {
@@ -81,9 +82,9 @@ Result<HostCamera> HostView::cameraAt(const gl::Functions& gl, const glm::vec3& 
         }
     }
     return AoStatus(StatusCode::InvalidCamera,
-                    "GL's modelview matrix belonged to the position given to aoDrawEnd neither at "
-                    "aoDrawBegin nor now; leave the camera alone on the stack at one of them, or "
-                    "call aoSetCamera");
+                    "GL's modelview matrix matches the position given to aoDrawEnd neither at "
+                    "aoDrawBegin nor at aoDrawEnd; load only the camera's matrix at one of these "
+                    "calls, or call aoSetCamera");
 }
 
 Result<Frame> HostView::frameFrom(const gl::Functions& gl, const gl::StateGuard& guard,
@@ -100,7 +101,9 @@ Result<Frame> HostView::frameFrom(const gl::Functions& gl, const gl::StateGuard&
                               .depthRange = guard.hostDepthRange()};
     if (clip.depthRange[0] == clip.depthRange[1]) {
         return AoStatus(StatusCode::InvalidFramebuffer,
-                        "glDepthRange is empty: depth holds no distances");
+                        "glDepthRange is empty, so depth values hold no distances; set near and "
+                        "far to different "
+                        "values");
     }
     const Result<HostCamera> camera =
         found->under(clip, found->orthographic() && greaterIsNearer(gl));
@@ -115,7 +118,7 @@ AoStatus HostView::takeTarget(const gl::StateGuard& guard, Frame& frame) {
     if (viewport[2] < 1 || viewport[3] < 1) {
         return {StatusCode::InvalidFramebuffer, "the viewport is " + std::to_string(viewport[2]) +
                                                     " x " + std::to_string(viewport[3]) +
-                                                    " pixels"};
+                                                    " pixels; width and height must be at least 1"};
     }
     frame.framebuffer = frame.depthFramebuffer = guard.hostDrawFramebuffer();
     frame.origin = {viewport[0], viewport[1]};

@@ -116,7 +116,8 @@ AoStatus DrawnCapture::drawFace(const FaceView& view) const {
         return {StatusCode::CallbackFailed,
                 std::string("the scene renderer threw: ") + thrown.what()};
     } catch (...) {
-        return {StatusCode::CallbackFailed, "the scene renderer threw what is no std::exception"};
+        return {StatusCode::CallbackFailed,
+                "the scene renderer threw an exception that is not a std::exception"};
     }
     return {};
 }

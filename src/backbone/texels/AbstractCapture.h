@@ -21,11 +21,11 @@ public:
     AbstractCapture& operator=(const AbstractCapture&) = delete;
 
     virtual bool complete() const = 0;
-    /// What the next unit is, while it is not complete.
+    /// Returns the kind of the next unit; only while the capture is not complete.
     virtual WorkUnit next() const = 0;
-    /// Whether the next unit needs something that the GPU has not answered yet: step() then waits.
+    /// Whether the next unit needs a GPU result that is not available yet: step() then waits.
     virtual bool waits() const { return false; }
-    /// Does the next unit. Errors: MissingCapability, OutOfMemory.
+    /// Computes the next unit. Errors: MissingCapability, OutOfMemory.
     virtual AoStatus step() = 0;
 
     /// Makes a complete capture readable and sets the uniforms of its view.
@@ -36,9 +36,9 @@ public:
     virtual int layersOf(int face) const {
         return modelled()[static_cast<std::size_t>(face)] ? 1 : 0;
     }
-    /// The same of any face.
+    /// Maximum number of surfaces or solid intervals along a ray of any face.
     virtual int layers() const = 0;
-    /// GPU memory: as it is, and the most that it has been.
+    /// GPU memory, bytes: at present, and the maximum so far.
     virtual std::size_t bytes() const = 0;
     virtual std::size_t mostBytes() const { return bytes(); }
 };

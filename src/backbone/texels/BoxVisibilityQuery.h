@@ -11,7 +11,8 @@ public:
     /// Errors: ShaderError.
     static Result<BoxVisibilityQuery> create(const BackboneContext& context);
 
-    /// Waits for the answer. May say yes when it is no, never the other way.
+    /// Waits for the answer. Conservative: may report a hidden box as
+    /// visible, never a visible one as hidden.
     bool isVisible(const BackboneContext& context, const CubeMapProjector& projector,
                    const FaceStore& store, const Bounds& region);
 

@@ -10,9 +10,9 @@ namespace aolib {
 /// The passes over one face of a cube map that find layers of solid intervals [entry, exit] along
 /// each texel's ray, nearest first.
 ///
-/// Open meshes are mostly seen from one side only, as walls and hulls are: then what lies behind
-/// that side, up to the next surface, is out of sight, and taking it as solid is right wherever
-/// a ray comes from. Open meshes that show both sides (leaves, cloth) stay without
+/// One-sided shells are open meshes of which only one side is visible, such as walls and hulls. The
+/// space behind that side, up to the next surface, is hidden and counts as solid.
+/// Two-sided sheets are open meshes that show both sides, such as leaves and cloth. These have no
 /// thickness.
 class LayerPeeling {
 public:

@@ -11,9 +11,9 @@
 
 namespace aolib {
 
-/// Texels by rasterisation: the scene is captured on a cube map's faces, and a shader looks about
-/// in the capture. The capture is released once all that is requested is computed. With layers, the
-/// surfaces behind those that it sees are computed, too, in tiles in which some view requests them.
+/// Computes texels by rasterisation: the scene is captured on a cube map's faces, and a shader
+/// samples the capture around each texel. The capture is released when all requests are computed.
+/// With layers, hidden surfaces are also computed, in tiles for which a view requests them.
 class RasterTexels final : public AbstractTexelSource {
 public:
     /// @param geometry, atlas, shading  outlive it. Errors: ShaderError.
@@ -43,15 +43,15 @@ public:
 private:
     /// Frames for which a capture is kept after its last use: a turning camera requests more.
     static constexpr int kIdleFrames = 30;
-    /// Frames without a change after which work on an older scene is broken off in any case.
+    /// Frames without a change after which work on an older scene is always cancelled.
     static constexpr int kRestFrames = 8;
 
     struct Work {
         CubeMapCapture capture;
         std::set<int> tiles;  ///< that have had passes from this capture
         std::set<int> toKeep; ///< of these, those that are still to be written once more
-        Bounds changed;       ///< what is not as it was captured, out of sight
-        bool mayBreak = true; ///< it may be broken off: the one before was not
+        Bounds changed; ///< region that has changed since the capture, hidden from the cube map
+        bool mayBreak = true; ///< the capture may be cancelled: the one before was not
         int idleFrames = 0;
     };
 
@@ -85,7 +85,7 @@ private:
     BoxVisibilityQuery boxVisibility_;
     std::vector<CubeMapProjector*> projectors_; ///< of the frame
     std::map<CubeMapId, Work> works_;
-    std::set<CubeMapId> brokenOff_; ///< whose last work was not ended
+    std::set<CubeMapId> brokenOff_; ///< cube maps whose last work was cancelled
     int framesAtRest_ = 0;          ///< since a change of the scene altered a tile
 };
 

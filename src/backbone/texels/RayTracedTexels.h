@@ -12,13 +12,13 @@
 
 namespace aolib {
 
-/// Texels by ray tracing: a tracer works on tiles in the background, and what it has finished is
-/// uploaded. Each pass continues the rays of a tile; the GPU does nothing but take the results.
+/// Computes texels by ray tracing: a tracer computes tiles in the background, and their results are
+/// uploaded to the GPU. Each pass continues the ray sequences of a tile.
 ///
-/// When the scene changes, only tiles that the change can have altered begin again. Results name
-/// the scene that they were traced in: one of an older scene is shown until a newer one comes, but
-/// no rays are added to it. So a tile that changes in every frame shows the latest that is known of
-/// it, and the others go on.
+/// When the scene changes, only tiles that the change may alter are restarted. Each result has the
+/// number of its scene. A result of an older scene is shown until a newer one arrives, but is not
+/// accumulated. A tile that changes in every frame thus shows its latest result, and other tiles
+/// continue.
 class RayTracedTexels final : public AbstractTexelSource {
 public:
     /// @param atlas, queue  outlive it.
@@ -48,9 +48,9 @@ private:
     };
     /// What a tile shows, and since when that is out of date. Scenes by their numbers.
     struct Shown {
-        std::uint64_t scene = 0;     ///< that was traced
+        std::uint64_t scene = 0;     ///< the traced scene
         std::uint64_t changedIn = 0; ///< results of scenes before are out of date
-        SeenSurfaces seen;           ///< before anything is known, all that there may be
+        SeenSurfaces seen;           ///< everything, until a result arrives
     };
     struct Work {
         std::map<int, Tile> tiles;

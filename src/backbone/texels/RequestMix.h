@@ -10,22 +10,21 @@
 
 namespace aolib {
 
-/// What several clients have requested of a tracer and not yet got, in an order that serves all of
-/// them alike: whoever has had the fewest rays is next. No GL.
+/// Orders the pending requests of several clients of a tracer: the client with the fewest traced
+/// rays is next. No GL.
 class RequestMix {
 public:
     using Client = unsigned;
 
-    /// Replaces what one client waits for.
+    /// Replaces the pending requests of one client.
     void set(Client client, std::vector<TexelRequest> requests);
-    /// One of a client's requests was answered; nothing happens where it waits for none of this
-    /// key.
+    /// Removes an answered request of a client; does nothing if no request has this key.
     void answered(Client client, std::uint64_t key);
-    /// Nobody waits for anything.
+    /// Removes the pending requests of all clients.
     void clear() { shares_.clear(); }
 
     std::size_t count(Client client) const;
-    /// All that is waited for, in the order in which it is to be traced.
+    /// Returns all pending requests in the order of tracing.
     std::vector<TexelRequest> mixed() const;
 
 private:

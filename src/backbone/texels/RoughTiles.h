@@ -4,7 +4,7 @@
 
 namespace aolib {
 
-/// Whether surfaces end or bend within a tile, so that its texels do not show all of it.
+/// Whether surfaces end or bend within a tile, so that texels miss detail of the tile.
 bool isRough(const TracedTexels& traced);
 
 } // namespace aolib

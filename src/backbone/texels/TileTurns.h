@@ -7,16 +7,15 @@
 
 namespace aolib {
 
-/// The order in which tiles are traced: those without a pass first, but where these begin again and
-/// again, because the scene changes in every frame, the others have their turns between them. No
-/// GL.
+/// Orders tiles for tracing: tiles without a pass come first. If a scene that changes in every
+/// frame restarts such tiles again and again, the other tiles have their turns in between. No GL.
 class TileTurns {
 public:
     /// A tile with a pending pass.
     struct Tile {
         std::uint64_t key;
         double rays; ///< of the pass
-        bool again;  ///< it shows something already, of an older scene
+        bool again;  ///< the tile already shows a result of an older scene
     };
 
     /// Whether all of these tiles were in the latest order().
@@ -27,7 +26,7 @@ public:
     ///                 has not been answered, may be under way: it waits for the next order.
     std::vector<std::uint64_t> order(const std::vector<Tile>& first,
                                      const std::vector<Tile>& refined, std::size_t most);
-    /// A pass over a tile has come.
+    /// Records a finished pass over a tile.
     void answered(const Tile& tile, bool refined);
 
 private:

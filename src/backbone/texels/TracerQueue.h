@@ -13,13 +13,12 @@
 
 namespace aolib {
 
-/// The host's tracer, shared by its clients: what one requests takes its turns with what
-/// the others wait for.
+/// Shares the host's tracer between clients, whose requests are traced by turns.
 class TracerQueue {
 public:
     enum class Client : std::uint8_t {
         Texels, ///< of cube maps
-        Pixels, ///< of the view at rest in slot 0; those of the other slots follow
+        Pixels, ///< of the static view in slot 0; those of the other slots follow
     };
     /// Slots that pixelsOf() distinguishes.
     static constexpr unsigned kSlots = 64;
@@ -27,14 +26,14 @@ public:
 
     explicit TracerQueue(AbstractTexelTracer& tracer) : tracer_(tracer) {}
 
-    /// Gives the tracer the scene as it is now.
+    /// Sends the current scene to the tracer.
     void setScene(const Scene& scene);
     /// The number of the latest scene, as results name it.
     std::uint64_t scene() const { return scene_; }
     /// Replaces what this client has queued. Keys must leave the highest bit free, and those of
     /// pixels the eight highest.
     void request(Client client, std::vector<TexelRequest> queue);
-    /// Takes back what this client has queued.
+    /// Cancels the queued requests of this client.
     void drop(Client client);
     /// Whether a finished request of this client is there to be taken.
     bool hasResult(Client client);

@@ -14,9 +14,9 @@ namespace aolib {
 /// a frame then reads and darkens them like any other host's framebuffer.
 class AppliedTextures {
 public:
-    /// Attaches the textures, and sets the framebuffers of the frame. Without a colour texture a
-    /// white one of its own takes the colours' place: multiplied by the frame it holds the factor
-    /// alone. Errors: InvalidFramebuffer, OutOfMemory, MissingCapability.
+    /// Attaches the textures, and sets the framebuffers of the frame. Without a host's colour
+    /// texture, an own white texture is attached, which holds only the factor after the frame.
+    /// Errors: InvalidFramebuffer, OutOfMemory, MissingCapability.
     AoStatus attach(const gl::Functions& gl, const HostTextures& textures, Frame& frame);
     /// Detaches the host's textures: none is kept alive.
     void release(const gl::Functions& gl);

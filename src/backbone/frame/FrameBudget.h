@@ -23,12 +23,12 @@ enum class WorkUnit {
     Upload,  ///< a tile's texels, sent to where they are kept
 };
 
-/// Keeps the work of frames within a time, by what units of each kind have cost before.
+/// Limits the work of a frame to a time, in milliseconds, from the measured cost of earlier units.
 ///
-/// A graphics card's time is measured by timer queries, which answer frames later: a kind of
-/// unknown cost has a frame to itself, and no frame does more than about twice as much of a kind as
-/// the one before. A software rasteriser runs on the host's own time: it is waited for after each
-/// piece of work, and the clock says how much is left.
+/// On a graphics card, timer queries measure the time and answer some frames later. Therefore a
+/// kind of unknown cost has a frame to itself, and the units of a kind about double per frame at
+/// most. A software rasteriser runs on the host's CPU time: each piece of work is waited for, and
+/// the clock measures the rest of the budget.
 class FrameBudget {
 public:
     FrameBudget() = default;
@@ -37,7 +37,7 @@ public:
 
     /// Begins a frame. @param milliseconds  that its work may take.
     void beginFrame(double milliseconds);
-    /// How many units of a kind the frame has room for. Never none before any was done.
+    /// How many units of a kind the frame has room for. At least one before the first unit.
     int room(WorkUnit kind);
     /// Around a piece of work of at least one unit.
     void start(WorkUnit kind);
@@ -51,7 +51,7 @@ private:
         gl::GpuTimer timer;
         int timed = 0;     ///< units that the timer measures
         double gpu = -1.0; ///< milliseconds per unit, smoothed; -1 until known
-        double cpu = -1.0; ///< the same, of the calling thread
+        double cpu = -1.0; ///< CPU milliseconds per unit, smoothed; -1 until known
         int trusted = 1;   ///< units that may be done: at a time, or in a frame
         int inFrame = 0;   ///< units done in this frame
         Clock::time_point since;
@@ -61,7 +61,7 @@ private:
     };
     Cost& cost(WorkUnit kind) { return costs_[static_cast<std::size_t>(kind)]; }
     double spent() const;
-    /// Before the first unit of a frame: what the host has drawn is no work of ours.
+    /// Waits before the first unit of a frame, so that the host's own drawing is not measured.
     void waitForHost();
 
     const gl::Functions* gl_ = nullptr;
@@ -71,7 +71,7 @@ private:
     Clock::time_point frameBegan_;
     double milliseconds_ = 0.0;
     double gpuSpent_ = 0.0; ///< as far as it is known
-    bool unknown_ = false;  ///< something was done whose cost is not known
+    bool unknown_ = false;  ///< a unit of unknown cost was done in this frame
     bool worked_ = false;
     bool waited_ = false; ///< a software rasteriser has drawn all that the host asked for
 };

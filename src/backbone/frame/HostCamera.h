@@ -35,8 +35,9 @@ public:
     /// Errors: InvalidCamera.
     static Result<HostCamera> create(const glm::mat4& view, const glm::mat4& projection);
 
-    /// The camera with GL's clip conventions. An orthographic matrix does not say to which side it
-    /// looks: to the one where its range of depth lies; around the eye, as depths are compared.
+    /// Returns the camera with GL's clip conventions. The direction of an orthographic camera is
+    /// the side of the eye on which the depth range lies. If the range contains the eye, the depth
+    /// comparison decides.
     /// @param greaterIsNearer  the host keeps the greater of two values of the depth buffer.
     /// Errors: InvalidCamera, if nothing can be drawn with the projection.
     Result<HostCamera> under(const ClipConvention& clip, bool greaterIsNearer) const;
@@ -58,7 +59,7 @@ public:
     struct Surface {
         glm::dvec3 position; ///< relative to the eye, world axes
         glm::dvec3 viewer;   ///< unit vector towards the viewer, world axes
-        double resolution;   ///< how much its distance may be wrong, world units
+        double resolution;   ///< error bound of the distance, world units
         double footprint;    ///< that a pixel covers there, square on, world units
     };
     /// What shaders/frame/host_surface.glsl finds behind a pixel, in double precision.

@@ -23,7 +23,7 @@ public:
     /// Null where the host's depth has one sample per pixel.
     const HostSamples* samples() const { return sampled_ ? &samples_ : nullptr; }
     void bindNormals(int unit) const { normals_.bindTexture(0, unit); }
-    /// What the copied normals are multiplied by and what is added to get vectors.
+    /// Scale and offset that convert the copied normals to vectors.
     const glm::vec2& normalCode() const { return normalCode_; }
     std::size_t bytes() const {
         return (depth_ ? depth_.bytes() : 0) + (normals_ ? normals_.bytes() : 0) + samples_.bytes();

@@ -14,11 +14,11 @@ public:
     AbstractJob(const AbstractJob&) = delete;
     AbstractJob& operator=(const AbstractJob&) = delete;
 
-    /// Kind of the next unit; none where nothing is left to do, as far as is known.
+    /// Returns the kind of the next unit; none if no work is left at present.
     virtual std::optional<WorkUnit> next() = 0;
     /// Whether the next unit can be done without waiting for the GPU or for worker threads.
     virtual bool isReady() { return true; }
-    /// Does units of the next kind. @param most  at most so many. @return how many were done
+    /// Does at most `most` units of the next kind. @return number of units done
     virtual Result<int> step(int most) = 0;
     /// Waits until the next unit is ready, or for this long.
     virtual void await(double /*milliseconds*/) {}
@@ -26,7 +26,7 @@ public:
 
 /// Does a job's units while the frame's budget has room. @return whether nothing is left to do
 Result<bool> runWithinBudget(FrameBudget& budget, AbstractJob& job);
-/// Does all units of a job, and waits where it must.
+/// Does all units of a job; waits for the GPU and for worker threads.
 AoStatus runToEnd(AbstractJob& job);
 
 } // namespace aolib

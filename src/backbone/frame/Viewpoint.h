@@ -6,8 +6,8 @@
 
 namespace aolib {
 
-/// What a frame is seen through, and its size: two frames of equal viewpoints show the same, if the
-/// scene is the same.
+/// Camera and size of a frame: two frames of equal viewpoints show the same picture of an unchanged
+/// scene.
 struct Viewpoint {
     HostCamera camera;
     glm::ivec2 size; ///< pixels

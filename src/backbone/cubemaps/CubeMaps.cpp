@@ -93,7 +93,7 @@ AoStatus CubeMaps::makeRoomAtOnce() {
     }
     return {StatusCode::OutOfMemory,
             "the " + std::to_string(projectors_.size()) +
-                " cube maps placed by hand leave no room for another within "
+                " cube maps placed by the host leave no room for another within "
                 "Options::cubeMaps.memoryBudget or the texture layers of this context"};
 }
 

@@ -32,7 +32,7 @@ public:
 
     /// Follows the options' face size and memory budget, and what their estimator needs pages for.
     void followOptions();
-    /// One more, of which nothing is computed yet. There must be room for it.
+    /// Adds a cube map without computed texels. Precondition: there is room for another.
     /// Errors: as CubeMapProjector::create().
     Result<CubeMapProjector*> add(const glm::vec3& position, bool pinned);
     void remove(CubeMapProjector& projector);
@@ -44,9 +44,9 @@ public:
     /// @param atOnce  nothing fades.
     /// @return whether there is room now.
     bool makeRoom(EvictionReason reason, const std::vector<CubeMapProjector*>& used, bool atOnce);
-    /// Has those go that have faded out, and makes room for pages that are in view.
+    /// Evicts cube maps that have faded out, and makes room for visible pages.
     void evictWhereDue(const std::vector<CubeMapProjector*>& used, bool atOnce);
-    /// How many went for the budget's sake.
+    /// Number of cube maps evicted for the memory budget.
     std::uint64_t evicted() const { return evicted_; }
 
     /// Records which share of a view's surfaces each cube map is the best for; 0 for those that are
@@ -54,7 +54,7 @@ public:
     void recordUsage(const std::map<CubeMapId, float>& best);
 
 private:
-    /// The cube map that is missed least; null where none may go.
+    /// The least useful evictable cube map; null if none is evictable.
     CubeMapProjector* victim(const std::vector<CubeMapProjector*>& used,
                              EvictionReason reason) const;
     void evict(CubeMapProjector& projector);

@@ -9,7 +9,7 @@
 
 namespace aolib {
 
-/// What a cube map is worth to the views.
+/// Usefulness of a cube map to the views.
 struct CubeMapUsage {
     float usefulness = 1.0F;  ///< running mean of the share of surfaces that it is the best for
     int feedbackUnseen = 0;   ///< results of the feedback pass since it was the best for any
@@ -21,29 +21,30 @@ struct CubeMapUsage {
     void record(float share, bool complete);
 };
 
-/// What room is made for.
+/// The purpose of an eviction.
 enum class EvictionReason : std::uint8_t {
     NewCubeMap,
     Page,   ///< of a cube map that is seen: only those that no view has shown lately give way
     Budget, ///< which has shrunk: even pinned ones give way
 };
 
-/// Decides which cube map gives way where the memory budget has no room for another. No GL.
+/// Chooses the cube map to evict when the memory budget has no room for another. No GL.
 class Eviction {
 public:
     /// Layers of the face store that the budget has room for, at most `most`.
     static int layersWithin(const CubeMapOptions& options, int most);
 
-    /// A cube map that may give way.
+    /// A cube map that may be evicted.
     struct Candidate {
         bool pinned = false;    ///< the host placed it
         bool fadingOut = false; ///< it was chosen before
         bool inUse = false;     ///< by the frame
         CubeMapUsage usage;
     };
-    /// The number of the candidate that is missed least; none where none may go. Pinned ones stay,
-    /// and so does what is in use and has been complete for a short time only: what was computed is
-    /// shown before it is evicted.
+    /// Returns the index of the least useful evictable candidate; none if none is evictable.
+    /// With EvictionReason::Budget, every candidate is evictable.
+    /// Otherwise not evictable: pinned cube maps, and cube maps in use that have only just become
+    /// complete, so that computed texels are shown before eviction.
     static std::optional<std::size_t> victim(std::span<const Candidate> candidates,
                                              EvictionReason reason);
 };

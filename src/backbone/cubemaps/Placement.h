@@ -13,18 +13,18 @@ namespace aolib {
 /// Decides where cube maps go (thesis 4.6). No GL.
 class Placement {
 public:
-    /// Whether a new cube map is due at the camera: there is none, or too little of what was drawn
-    /// is shaded and none stands so close already that another would see the same.
-    /// @param coverage   latest count, or nothing if none belongs to the cube maps as they are.
+    /// Whether a new cube map is needed at the camera: there is none, or the coverage is too low.
+    /// Not needed if an existing cube map is so close that a new one would see the same surfaces.
+    /// @param coverage   latest count, or none if no count belongs to the current cube maps.
     /// @param threshold  share of shaded pixels that is enough.
     static bool due(std::optional<float> coverage, float threshold, const glm::vec3& camera,
                     std::span<const glm::vec3> cubeMaps, float sceneSize);
 
-    /// Where a camera looks from, as far as cube maps are concerned: the eye of a perspective one.
-    /// Parallel lines of sight have no eye: there it is a place before what the view
-    /// shows of the scene, as far away as texels are still fine enough, since the farther the more
-    /// of what the view sees is seen from there; and no nearer than where it fills a right angle.
-    /// Where the near plane cuts the scene it is on that plane.
+    /// Returns the place of a cube map for a camera, world units: the eye of a perspective camera.
+    /// For an orthographic camera: a place in front of the visible part of the scene. It is as far
+    /// away as texels stay fine enough, since a farther place sees more of that part, and at least
+    /// as far as where that part fills a right angle.
+    /// If the near plane cuts the scene, the place lies on the near plane.
     /// @param scene     its bounds
     /// @param faceSize  of cube maps, texels
     static glm::vec3 standpoint(const Frame& frame, const Bounds& scene, int faceSize);

@@ -79,7 +79,7 @@ public:
 
     // ---- Pages
 
-    /// Sets how many pages of a tile would hold what its texels do not.
+    /// Sets the number of pages that hold more than a tile's texels.
     void setAvailablePages(int tile, int count) {
         entry(tile).available = static_cast<std::uint8_t>(count);
     }
@@ -112,9 +112,9 @@ public:
     void setAllOutdated();
     bool isOutdated(int tile) const { return entry(tile).outdated; }
     bool hasOutdated() const { return outdated_ > 0; }
-    /// Restarts a tile's passes. What is requested, and what is known, stays.
+    /// Restarts a tile's passes. Requests and shown texels stay.
     void restart(int tile);
-    /// Restarts all tiles, of which nothing is known any more. What is requested stays.
+    /// Restarts all tiles and drops their texels. Requests stay.
     void forget();
 
 private:

@@ -7,6 +7,7 @@
 #include <aolib/OptionFields.h>
 
 #include "backbone/cubemaps/Eviction.h"
+#include "backbone/cubemaps/FaceStore.h"
 
 namespace aolib {
 

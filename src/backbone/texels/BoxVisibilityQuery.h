@@ -1,6 +1,7 @@
 #pragma once
 
 #include "backbone/cubemaps/CubeMapProjector.h"
+#include "backbone/frame/Frame.h"
 
 namespace aolib {
 

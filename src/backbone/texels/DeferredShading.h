@@ -38,13 +38,13 @@ public:
         std::unique_ptr<AbstractCapture> capture;
         DistanceRange range; ///< of what is there
     };
-    /// @param context  outlives it. Errors: NoScene, ShaderError.
+    /// Errors: NoScene, ShaderError.
     /// @param view     seen from there, too: of layers of triangles
     Result<Surroundings> surroundings(const BackboneContext& context, const SceneGeometry& geometry,
                                       const glm::dvec3& centre, int faceSize,
                                       const std::optional<ViewFace>& view = {});
 
-    /// Begins a capture. Errors: NoScene, ShaderError. @param context  outlives it.
+    /// Begins a capture. Errors: NoScene, ShaderError.
     Result<CubeMapCapture> begin(const BackboneContext& context, const SceneGeometry& geometry,
                                  CubeMapProjector& projector);
     /// The next unit of a capture that is not ready; the last ones make room for what is computed,

@@ -47,7 +47,7 @@ private:
     AoStatus drawFace(const FaceView& view) const;
     AoStatus convertFace(const FaceView& view);
 
-    const BackboneContext& context_;
+    const BackboneContext context_;
     const glm::vec3 centre_;
     const int size_; ///< texels along a face's edge
     const DistanceRange range_;

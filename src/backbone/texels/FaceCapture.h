@@ -68,7 +68,7 @@ public:
     const std::optional<ViewFace>& view() const { return view_; }
 
 private:
-    const BackboneContext& context_;
+    const BackboneContext context_;
     const std::shared_ptr<const SceneGeometry::Instances> instances_;
     const glm::dvec3 centre_;
     const int size_;

@@ -73,7 +73,7 @@ private:
     std::vector<float> unusualOpenMeshes() const;
     std::size_t at() const { return static_cast<std::size_t>(face_); }
 
-    const BackboneContext& context_;
+    const BackboneContext context_;
     const FaceCapture faces_;
     LayerPeeling& peeling_;
     const int most_;

@@ -24,7 +24,7 @@ public:
 private:
     AoStatus makeTarget();
 
-    const BackboneContext& context_;
+    const BackboneContext context_;
     const FaceCapture faces_;
     gl::GLSLShader& shader_;
     gl::RenderToTexture2D target_; ///< six faces side by side

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "backbone/frame/Frame.h"
 #include "backbone/texels/AbstractTexelSource.h"
 #include "backbone/texels/TexelCodes.h"
 #include "backbone/texels/TileTurns.h"
